@@ -256,4 +256,11 @@ std::variant<FosterForm, NoFosterForm> foster_form(const RationalFunction& stiff
   return Foster(stiffness, name).form();
 }
 
+std::optional<TypedNumber> quotient_value(const std::string& a, const std::string& b) {
+  RealBall above, below;
+  arb_set_str(above.get(), a.c_str(), first_precision);
+  arb_set_str(below.get(), b.c_str(), first_precision);
+  return element_value(quotient(above, below, first_precision));
+}
+
 }  // namespace vcrit

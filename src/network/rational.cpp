@@ -62,6 +62,16 @@ long ExactPolynomial::bits() const {
   return std::max(above, static_cast<long>(fmpz_bits(value_->den)));
 }
 
+std::pair<std::string, std::string> ExactPolynomial::fraction() const {
+  const auto text = [](const fmpz_t integer) {
+    char* const digits = fmpz_get_str(nullptr, 10, integer);
+    std::string copy(digits);
+    flint_free(digits);
+    return copy;
+  };
+  return {is_zero() ? "0" : text(value_->coeffs), text(value_->den)};
+}
+
 ExactPolynomial ExactPolynomial::operator-() const {
   ExactPolynomial negative;
   fmpq_poly_neg(negative.value_, value_);

@@ -4,6 +4,7 @@
 #include <flint/fmpq_poly.h>
 
 #include <string>
+#include <utility>
 
 namespace vcrit {
 
@@ -28,6 +29,8 @@ class ExactPolynomial {
 
   bool is_zero() const { return fmpq_poly_is_zero(value_) != 0; }
   long degree() const { return fmpq_poly_degree(value_); }  ///< -1 of 0
+  /// Of a number a/b: "a" and "b", integers without a common factor.
+  std::pair<std::string, std::string> fraction() const;
   long bits() const;  ///< of the largest coefficient, with its denominator
 
   ExactPolynomial operator-() const;

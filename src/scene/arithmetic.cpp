@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -23,10 +22,7 @@ constexpr int largest_power = 9;
 // Digits beyond these say nothing of a measured number.
 constexpr std::size_t longest_number = 40;
 
-constexpr int most_entries = 1'000'000;
-
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
 class ArithmeticParser : Cursor {
  public:
@@ -113,7 +109,7 @@ class ArithmeticParser : Cursor {
       throw InputError(at, fmt::format("name \"{}\", which {}", name, *why), "another name");
     position_ += name.size();
     if (!accept('[')) return make_expression(Symbol{std::move(name)}, NumberRole::factor);
-    const int entry = whole_number(most_entries, "the number of an entry, from 1");
+    const int entry = whole_number(most_entries_named, "the number of an entry, from 1");
     if (!accept(']')) refuse(found(), "\"]\"");
     return make_expression(Symbol{std::move(name), entry}, NumberRole::factor);
   }

@@ -11,6 +11,10 @@
 
 namespace vcrit {
 
+constexpr int most_entries_named = 1'000'000;  ///< the largest entry that an array's name may have
+
+inline bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
 class Cursor {
  public:
   /// `text` by reference; `place` is that of its first character.

@@ -74,12 +74,14 @@ std::optional<NumberMeasure> measure_by_unit(const std::string& name, const toml
 }  // namespace
 
 ElementExpressions::ElementExpressions(const toml::table* elements, std::string file,
-                                       ElementNames& names, const Uses& uses)
-    : elements_(elements), file_(std::move(file)), names_(names) {
-  if (elements == nullptr || std::none_of(elements->begin(), elements->end(), [](const auto& each) {
+                                       ElementNames& names, const GivenExpressions& given,
+                                       const Uses& uses)
+    : elements_(elements), file_(std::move(file)), names_(names), given_(given), keys_(given.keys) {
+  const bool holds_none =
+      elements == nullptr || std::none_of(elements->begin(), elements->end(), [](const auto& each) {
         return holds_expression(each.second);
-      }))
-    return;
+      });
+  if (holds_none && given.texts.empty()) return;
   for (const auto& [name, use] : uses) {
     if (use.length == 0) read({name}, use);
     for (int entry = 1; entry <= use.length; ++entry) read({name, entry}, use);
@@ -87,8 +89,8 @@ ElementExpressions::ElementExpressions(const toml::table* elements, std::string 
   find_roles(uses);
 }
 
-const toml::node* ElementExpressions::node_of(const Symbol& element) const {
-  const toml::node* value = elements_->get(element.name);
+const toml::node* element_node(const toml::table* elements, const Symbol& element) {
+  const toml::node* value = elements == nullptr ? nullptr : elements->get(element.name);
   if (value == nullptr || !value->is_array()) return element.entry == 0 ? value : nullptr;
   const auto place = static_cast<std::size_t>(element.entry);
   const bool is_there = place >= 1 && place <= value->as_array()->size();
@@ -96,7 +98,9 @@ const toml::node* ElementExpressions::node_of(const Symbol& element) const {
 }
 
 std::optional<ElementExpressions::Text> ElementExpressions::text_of(const Symbol& element) const {
-  const toml::node* node = node_of(element);
+  if (const auto given = given_.texts.find(element); given != given_.texts.end())
+    return given->second;
+  const toml::node* node = element_node(elements_, element);
   const auto text = node == nullptr ? std::nullopt : expression_in(*node);
   if (!text) return std::nullopt;
   return Text{*text, document::place_of(*node, file_)};
@@ -176,7 +180,7 @@ AmountTreePointer ElementExpressions::put_in(const Symbol& name, const Text& wri
 // An array by its entries, others by their name.
 int ElementExpressions::length_of(const Symbol& leaf, const Uses& uses) const {
   const auto use = uses.find(leaf.name);
-  const toml::node* node = elements_->get(leaf.name);
+  const toml::node* node = elements_ == nullptr ? nullptr : elements_->get(leaf.name);
   int length = use == uses.end() ? 0 : use->second.length;
   if (use == uses.end() && node != nullptr && node->is_array())
     length = static_cast<int>(node->as_array()->size());
@@ -195,7 +199,7 @@ void ElementExpressions::find_roles(const Uses& uses) {
     length_of(leaf, uses);
     if (const auto use = uses.find(leaf.name); use != uses.end())
       measures.emplace(leaf.name, NumberMeasure{use->second.role, use->second.dimension});
-    else if (const toml::node* node = node_of(leaf))
+    else if (const toml::node* node = element_node(elements_, leaf))
       if (const auto measure =
               measure_by_unit(to_text(leaf), *node, document::place_of(*node, file_), parts))
         measures.emplace(leaf.name, *measure);

@@ -20,15 +20,29 @@
 
 namespace vcrit {
 
+/// What [elements] has for an element; null where it has nothing, and where there is no table.
+const toml::node* element_node(const toml::table* elements, const Symbol& element);
+
+/// Expressions that no table holds: those of the elements of a stiffness typed in.
+struct GivenExpressions {
+  /// The place is that of the opening quote.
+  struct Text {
+    std::string text;
+    Place place;
+  };
+  std::map<Symbol, Text> texts;
+  std::set<std::string> keys;  ///< of [elements], that led to them
+};
+
 class ElementExpressions {
  public:
   using Uses = ElementNames::Uses;
 
-  /// `elements`: the table, null where there is none; `uses`: what the networks use, by the names
-  /// of the elements. Throws InputError for an expression that contains itself, and for one that
-  /// does not measure what its element is.
+  /// `elements`: the table, null where there is none; `given`: others, by reference; `uses`: what
+  /// the networks use, by the names of the elements. Throws InputError for an expression that
+  /// contains itself, and for one that does not measure what its element is.
   ElementExpressions(const toml::table* elements, std::string file, ElementNames& names,
-                     const Uses& uses);
+                     const GivenExpressions& given, const Uses& uses);
 
   bool has(const Symbol& element) const { return expressions_.contains(element); }
   /// What the networks have for an element: the symbol that `own` makes of it, or its expression of
@@ -44,11 +58,7 @@ class ElementExpressions {
   bool is_used(const std::string& key) const { return keys_.contains(key); }
 
  private:
-  /// As it stands in the file; the place is that of the opening quote.
-  struct Text {
-    std::string text;
-    Place place;
-  };
+  using Text = GivenExpressions::Text;
   struct Written {
     Amount amount;
     Text written;
@@ -65,12 +75,12 @@ class ElementExpressions {
                                const std::map<std::string, NumberMeasure>& measures) const;
   [[noreturn]] void refuse_circle(const Symbol& element) const;
   int length_of(const Symbol& leaf, const Uses& uses) const;
-  const toml::node* node_of(const Symbol& element) const;
   std::optional<Text> text_of(const Symbol& element) const;
 
   const toml::table* elements_;
   std::string file_;
   ElementNames& names_;
+  const GivenExpressions& given_;
   std::map<Symbol, Written> expressions_;
   std::map<Symbol, AmountTreePointer> resolved_;
   std::map<Symbol, Amount> made_;    // for the networks

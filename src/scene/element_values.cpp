@@ -24,7 +24,7 @@ void ElementValues::read() {
   std::set<std::string> taken;
   for (const auto& [name, dimension] : settings().known()) taken.insert(name);
   uses_ = networks_.names().resolve(networks_.uses());
-  expressions_.emplace(elements_, file_, networks_.names(), uses_);
+  expressions_.emplace(elements_, file_, networks_.names(), networks_.given_expressions(), uses_);
   uses_.insert(expressions_->parameters().begin(), expressions_->parameters().end());
   for (const auto& [element, text] : expressions_->all())
     scene_.expressions[to_text(element)] = text;

@@ -11,6 +11,7 @@
 #include "network/graph.hpp"
 #include "network/law.hpp"
 #include "network/masses.hpp"
+#include "scene/arithmetic.hpp"
 #include "scene/document.hpp"
 #include "scene/rational_stiffness.hpp"
 
@@ -211,19 +212,37 @@ Network Networks::read_named(const std::string& name, const toml::node& node, in
 
 Network Networks::read_rational(const std::string& name, const toml::table& table) {
   const document::Section section(&table, "networks." + name, file_, {"stiffness"}, complaints_);
-  Place place = section.place("stiffness");
-  ++place.column;  // of the opening quote
-  FosterForm form = read_stiffness(section.text("stiffness"), name, place);
-  for (const auto& [symbol, number] : form.values) {
-    if (elements_ != nullptr && elements_->contains(symbol.name))
-      throw InputError(place_of(*elements_->get(symbol.name), file_),
-                       fmt::format("\"{}\", an element of network \"{}\" that its stiffness gives",
-                                   symbol.name, name),
-                       "another name of the element or of the network");
+  const Place quote = section.place("stiffness");
+  const StiffnessNames names{
+      [this](const Symbol& symbol) { return names_.of(symbol); },
+      [this](const Symbol& symbol) -> AmountTreePointer {
+        const toml::node* node = element_node(elements_, symbol);
+        const auto text = node == nullptr ? std::nullopt : expression_in(*node);
+        if (!text) return nullptr;
+        const Place place = place_of(*node, file_);
+        return parse_arithmetic(*text, {place.file, place.line, place.column + 1});
+      }};
+  TypedStiffness typed = read_stiffness(section.text("stiffness"), name,
+                                        {quote.file, quote.line, quote.column + 1}, names);
+  for (const auto& [symbol, number] : typed.form.values) {
+    refuse_typed_element(symbol, name);
     numbers_[symbol] = number;
   }
-  note_uses(form.network, section.place("stiffness"));
-  return std::move(form.network);
+  for (const auto& [symbol, expression] : typed.form.expressions) {
+    refuse_typed_element(symbol, name);
+    if (notes_uses_) expressions_.texts[symbol] = {expression, quote};
+  }
+  expressions_.keys.merge(typed.keys);
+  note_uses(typed.form.network, quote);
+  return std::move(typed.form.network);
+}
+
+void Networks::refuse_typed_element(const Symbol& element, const std::string& network) const {
+  if (elements_ != nullptr && elements_->contains(element.name))
+    throw InputError(place_of(*elements_->get(element.name), file_),
+                     fmt::format("\"{}\", an element of network \"{}\" that its stiffness gives",
+                                 element.name, network),
+                     "another name of the element or of the network");
 }
 
 Network Networks::given(Network network, const std::map<Symbol, TypedNumber>& numbers,

@@ -14,6 +14,7 @@
 #include "base/units.hpp"
 #include "network/law.hpp"
 #include "network/network.hpp"
+#include "scene/element_expressions.hpp"
 #include "scene/element_names.hpp"
 
 namespace vcrit {
@@ -39,6 +40,8 @@ class Networks {
   const std::map<std::string, ElementUse>& uses() const { return uses_; }
   /// Numbers of elements that stand for a stiffness typed in, by the names in the networks.
   const TypedNumber* number_of(const Symbol& symbol) const;
+  /// Expressions of such elements.
+  const GivenExpressions& given_expressions() const { return expressions_; }
   /// What [elements] calls them.
   ElementNames& names() { return names_; }
   const std::vector<Warning>& warnings() const { return warnings_; }
@@ -64,6 +67,7 @@ class Networks {
                           const Place& place, int level);
   Network read_named(const std::string& name, const toml::node& node, int level);
   Network read_rational(const std::string& name, const toml::table& table);
+  void refuse_typed_element(const Symbol& element, const std::string& network) const;
   Network read_graph(const std::string& name, const toml::table& table, int level);
   std::vector<std::string> arguments_of(const std::string& name) const;
   void read_unused(const std::string& name, const Place& place);
@@ -83,6 +87,7 @@ class Networks {
   ElementNames names_;
   std::map<std::string, Network> known_;
   std::map<Symbol, TypedNumber> numbers_;
+  GivenExpressions expressions_;
   std::set<std::string> tabulated_, reserved_;
   std::set<std::string> being_read_;
   std::set<std::string> called_;                  // with arguments

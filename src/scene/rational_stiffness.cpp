@@ -6,100 +6,118 @@
 #include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
+#include "base/identifiers.hpp"
 #include "network/expression.hpp"
-#include "network/rational.hpp"
+#include "network/named_foster.hpp"
 #include "scene/cursor.hpp"
 
 namespace vcrit {
 
 namespace {
 
-constexpr int largest_degree = 40;  // beyond that, prony() with its own numbers
 constexpr std::size_t longest_quote = 60;
 constexpr int most_operations_of_stiffness = 2000;
 constexpr std::size_t longest_decimal = 24;  // characters: all that doubles have, and some
 
-// Of the coefficients of a polynomial, together: 100 factors whose numbers have 20 digits take half
-// of it.
-constexpr long most_bits = 1L << 21;
-
 bool digit_or_point(char c) { return (c >= '0' && c <= '9') || c == '.'; }
 
+template <class Algebra>
 class StiffnessParser : Cursor {
  public:
-  using Cursor::Cursor;
+  using Value = typename Algebra::Value;
 
-  RationalFunction whole() {
-    RationalFunction all = sum();
+  /// All by reference.
+  StiffnessParser(const std::string& text, const Place& place, Algebra& algebra)
+      : Cursor(text, place), algebra_(algebra) {}
+
+  Value whole() {
+    Value all = sum();
     if (!at_end()) refuse(found(), "\"+\", \"-\", \"*\", \"/\", \"^\" or the end");
-    all = all.reduced();
-    if (all.above.degree() > largest_degree || all.below.degree() > largest_degree) too_large();
     return all;
   }
 
  private:
-  RationalFunction sum() {
-    RationalFunction all = accept('-') ? negative(product()) : product();
+  Value sum() {
+    Value all = accept('-') ? algebra_.negative(product()) : product();
     for (;;) {
       if (accept('+'))
-        all = added(all, product());
+        all = plus(all, product());
       else if (accept('-'))
-        all = added(all, negative(product()));
+        all = plus(all, algebra_.negative(product()));
       else
         return all;
     }
   }
 
-  RationalFunction product() {
-    RationalFunction all = power();
+  Value product() {
+    Value all = power();
     for (;;) {
       if (accept('*')) {
-        const RationalFunction next = power();
-        all = {times(all.above, next.above), times(all.below, next.below)};
+        all = times(all, power());
       } else if (accept('/')) {
         const Place at = here();
-        const RationalFunction next = power();
-        if (next.above.is_zero())
+        const Value next = power();
+        if (algebra_.is_zero(next))
           throw InputError(at, "a division by 0" + in_text(), "what is not 0");
-        all = {times(all.above, next.below), times(all.below, next.above)};
+        count();
+        all = algebra_.over(all, next);
       } else {
         return all;
       }
     }
   }
 
-  RationalFunction power() {
-    const RationalFunction base = operand();
+  Value power() {
+    const Value base = operand();
     if (!accept('^')) return base;
     const int exponent = whole_exponent();
-    RationalFunction all = base;
-    for (int i = 1; i < exponent; ++i)
-      all = {times(all.above, base.above), times(all.below, base.below)};
+    Value all = base;
+    for (int i = 1; i < exponent; ++i) all = times(all, base);
     return all;
   }
 
-  RationalFunction operand() {
+  Value operand() {
     const char next = peek();
-    if (digit_or_point(next)) return {number(), one()};
+    if (digit_or_point(next)) return number();
     if (next == '(') return group();
-    if (next != 's' || is_part_of_name(position_ + 1)) refuse(found(), "s, a number or \"(\"");
+    if (!is_letter(next)) refuse(found(), "s, a number, the name of an element or \"(\"");
+    if (next != 's' || is_part_of_name(position_ + 1)) return name();
     ++position_;
-    return {ExactPolynomial::variable(), one()};
+    return algebra_.s();
   }
 
-  RationalFunction group() {
+  Value group() {
     const Place opening = here();
     if (++depth_ > deepest_nesting)
       refuse("too many brackets in one another", fmt::format("at most {}", deepest_nesting));
     accept('(');
-    RationalFunction inside = sum();
+    Value inside = sum();
     if (!accept(')')) throw InputError(opening, "\"(\" without \")\"" + in_text(), "\")\"");
     --depth_;
     return inside;
   }
 
-  ExactPolynomial number() {
+  Value name() {
+    const Place at = here();
+    std::size_t end = position_;
+    while (is_part_of_name(end)) ++end;
+    Symbol symbol{text_.substr(position_, end - position_)};
+    if (const auto why = unsafe_as_identifier(symbol.name))
+      throw InputError(at, fmt::format("name \"{}\", which {}", symbol.name, *why), "another name");
+    position_ = end;
+    if (accept('[')) {
+      const auto entry = whole_number_up_to(most_entries_named);
+      if (!entry) refuse(found(), "the number of an entry, from 1");
+      symbol.entry = *entry;
+      if (!accept(']')) refuse(found(), "\"]\"");
+    }
+    count();
+    return algebra_.named(symbol, at);
+  }
+
+  Value number() {
     const Place at = here();
     double value = 0;
     const char* const begin = text_.data() + position_;
@@ -111,36 +129,23 @@ class StiffnessParser : Cursor {
           fmt::format("a number of ordinary size, of at most {} characters", longest_decimal));
     position_ += digits.size();
     count();
-    return ExactPolynomial(digits);
+    return algebra_.number(digits);
   }
 
   int whole_exponent() {
-    const auto exponent = whole_number_up_to(largest_degree);
-    if (!exponent) refuse(found(), fmt::format("a whole power from 1 to {}", largest_degree));
+    const auto exponent = whole_number_up_to(largest_degree_of_stiffness);
+    if (!exponent)
+      refuse(found(), fmt::format("a whole power from 1 to {}", largest_degree_of_stiffness));
     return *exponent;
   }
 
-  static ExactPolynomial one() { return ExactPolynomial("1"); }
-  static RationalFunction negative(const RationalFunction& a) { return {-a.above, a.below}; }
-
-  RationalFunction added(const RationalFunction& a, const RationalFunction& b) {
-    if (a.below == b.below) return {a.above + b.above, a.below};
-    return {times(a.above, b.below) + times(b.above, a.below), times(a.below, b.below)};
-  }
-
-  // Common factors are left in it until the end, hence twice the degree.
-  ExactPolynomial times(const ExactPolynomial& a, const ExactPolynomial& b) {
+  Value plus(const Value& a, const Value& b) {
     count();
-    const long degree = a.degree() + b.degree();
-    if (degree > 2 * largest_degree || (degree + 1) * (a.bits() + b.bits()) > most_bits)
-      too_large();
-    return a * b;
+    return algebra_.plus(a, b);
   }
-
-  [[noreturn]] void too_large() const {
-    throw InputError(place_, "a stiffness of very many terms or digits",
-                     fmt::format("polynomials of degree {} at most", largest_degree),
-                     "the network itself, as in prony(k0, k, tau)");
+  Value times(const Value& a, const Value& b) {
+    count();
+    return algebra_.times(a, b);
   }
 
   void count() {
@@ -169,18 +174,52 @@ class StiffnessParser : Cursor {
                      "stiffness = \"(12e6*s + 8e9)/(s + 1e3)\", of numbers and s, in SI units");
   }
 
+  Algebra& algebra_;
   int operations_ = 0, depth_ = 0;
 };
 
+RationalFunction of_small_degree(const RationalFunction& stiffness, const Place& place) {
+  RationalFunction all = stiffness.reduced();
+  if (all.above.degree() > largest_degree_of_stiffness ||
+      all.below.degree() > largest_degree_of_stiffness)
+    refuse_large_stiffness(place);
+  return all;
+}
+
+// Elements of its own that it names would be made of themselves.
+void refuse_own_names(const FosterForm& form, const std::vector<Symbol>& leaves,
+                      const std::string& name, const Place& place) {
+  for (const Symbol& element : symbols_of(form.network))
+    for (const Symbol& leaf : leaves)
+      if (leaf.name == element.name)
+        throw InputError(
+            place,
+            fmt::format("\"{}\", an element of network \"{}\" that its stiffness gives", leaf.name,
+                        name),
+            "another name of the element or of the network");
+}
+
 }  // namespace
 
-FosterForm read_stiffness(const std::string& text, const std::string& name, const Place& place) {
-  const RationalFunction stiffness = StiffnessParser(text, place).whole();
-  auto form = foster_form(stiffness, name);
+TypedStiffness read_stiffness(const std::string& text, const std::string& name, const Place& place,
+                              const StiffnessNames& names) {
+  NameCollector collector(names);
+  StiffnessParser(text, place, collector).whole();
+  std::variant<FosterForm, NoFosterForm> form;
+  if (collector.keys().empty()) {
+    NumberAlgebra algebra(place);
+    form = foster_form(of_small_degree(StiffnessParser(text, place, algebra).whole(), place), name);
+  } else {
+    NamedAlgebra algebra(names, collector.leaves(), place);
+    form = named_foster_form(StiffnessParser(text, place, algebra).whole(),
+                             NamedAlgebra::variable(), name);
+  }
   if (const auto* none = std::get_if<NoFosterForm>(&form))
     throw InputError(place, fmt::format("network \"{}\" with {}", name, none->found),
                      none->expected, none->advice);
-  return std::get<FosterForm>(std::move(form));
+  TypedStiffness typed{std::get<FosterForm>(std::move(form)), collector.keys()};
+  refuse_own_names(typed.form, collector.leaves(), name, place);
+  return typed;
 }
 
 }  // namespace vcrit

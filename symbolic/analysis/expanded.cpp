@@ -21,7 +21,7 @@ constexpr std::size_t most_split = 400;
 void multiply_factors(Factors& whole, const Polynomial& polynomial, int exponent,
                       const GiNaC::exmap& ratio) {
   FactoredPolynomial product{"1", {{polynomial, 1}}};
-  if (polynomial.terms() <= most_split) product = factored(polynomial);
+  if (polynomial.terms() <= most_split) product = polynomial_factors(polynomial);
   whole.multiply(GiNaC::numeric(product.constant.c_str()), exponent);
   for (const auto& [factor, power] : product.factors)
     for (unsigned long i = 0; i < power; ++i)

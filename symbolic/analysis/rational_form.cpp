@@ -37,9 +37,9 @@ struct CountAlgebra {
 };
 
 struct QuotientAlgebra {
-  using Value = Quotient;
+  using Value = PolynomialQuotient;
   const Ring& ring;
-  std::map<std::string, Quotient> known;  ///< what is not a variable of the ring
+  std::map<std::string, PolynomialQuotient> known;  ///< what is not a variable of the ring
 
   Value number(const GiNaC::numeric& value) const {
     return {integer(value.numer()), integer(value.denom())};
@@ -54,22 +54,22 @@ struct QuotientAlgebra {
   Value multiply(const Value& a, const Value& b) const {
     return cancelled({a.over, b.under}) * cancelled({b.over, a.under});
   }
-  Value invert(const Value& a) const { return inverse(a); }
+  Value invert(const Value& a) const { return turned_over(a); }
 
   Value of(const Symbol& symbol) const { return name(to_text(symbol)); }
   Value constant(const TypedNumber& given) const { return number(exact_decimal(given.decimal)); }
   Value plus(const Value& a, const Value& b) const { return add(a, b); }
   Value times(const Value& a, const Value& b) const { return multiply(a, b); }
-  Value over(const Value& a, const Value& b) const { return multiply(a, inverse(b)); }
+  Value over(const Value& a, const Value& b) const { return multiply(a, turned_over(b)); }
   Value times_s(const Value& k) const { return multiply(k, name(own_name("s"))); }
   Value relaxing(const Value& k, const Value& tau) const {
     const Value turn = times_s(tau);
-    return multiply(multiply(k, turn), inverse(add(turn, number(1))));
+    return multiply(multiply(k, turn), turned_over(add(turn, number(1))));
   }
   Value parallel(const Value& a, const Value& b) const { return add(a, b); }
   Value series(const Value& a, const Value& b) const { return mesh(a, b, add(a, b)); }
   Value mesh(const Value& a, const Value& b, const Value& total) const {
-    return multiply(multiply(a, b), inverse(total));
+    return multiply(multiply(a, b), turned_over(total));
   }
 
  private:
@@ -123,15 +123,15 @@ constexpr double most_products = 5e7;
 // and denominator of a passive network have no root in s with a positive real part, so that a root
 // of one at s can be one of the other at -s on the imaginary axis alone, and would then be one of
 // both at s.
-RationalForm squared_form(const std::shared_ptr<const Ring>& ring, const Quotient& b) {
+RationalForm squared_form(const std::shared_ptr<const Ring>& ring, const PolynomialQuotient& b) {
   const double over = static_cast<double>(b.over.terms()),
                under = static_cast<double>(b.under.terms());
   if (over * over + under * under > most_products)
     throw ModelError(fmt::format(
         "squared, the polynomials of v* of {:.6g} and {:.6g} terms make some {:.2g} products", over,
         under, over * over + under * under));
-  Quotient square{Polynomial::power(*ring, "omega", 2) * squared_modulus(b.over),
-                  squared_modulus(b.under)};
+  PolynomialQuotient square{Polynomial::power(*ring, "omega", 2) * squared_modulus(b.over),
+                            squared_modulus(b.under)};
   const unsigned long common =
       std::min(square.over.lowest_degree("omega"), square.under.lowest_degree("omega"));
   return {

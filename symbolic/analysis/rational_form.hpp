@@ -7,7 +7,7 @@
 #include <string>
 
 #include "derivation/model.hpp"
-#include "polynomial/polynomial.hpp"
+#include "network/polynomial.hpp"
 #include "problem/problem.hpp"
 
 namespace vcrit::symbolic {
@@ -16,7 +16,7 @@ namespace vcrit::symbolic {
 /// even powers only.
 struct RationalForm {
   std::shared_ptr<const Ring> ring;
-  Quotient square;
+  PolynomialQuotient square;
 };
 
 /// How many terms the polynomials of v* have at most before they are squared.
@@ -25,7 +25,7 @@ double terms_before_squaring(const Model& model);
 /// B/(mu0 du_z), a rational function of s and of the scene's symbols.
 struct Amplitude {
   std::shared_ptr<const Ring> ring;
-  Quotient per_friction;  ///< without common factors
+  PolynomialQuotient per_friction;  ///< without common factors
 };
 
 /// Throws ModelError, naming both numbers, if terms_before_squaring is more than `budget`. Symbols

@@ -39,7 +39,7 @@ Polynomials by_powers(const Polynomial& polynomial, const std::string& variable)
 }
 
 FactoredPolynomial factors_of(const Polynomial& polynomial) {
-  if (polynomial.terms() <= most_factored) return factored(polynomial);
+  if (polynomial.terms() <= most_factored) return polynomial_factors(polynomial);
   return {"1", {{polynomial, 1}}};
 }
 

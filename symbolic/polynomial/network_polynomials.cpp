@@ -131,24 +131,30 @@ class Expansion {
   explicit Expansion(const Ring& ring)
       : ring_(ring), s_(Polynomial::variable(ring, own_name("s"))) {}
 
-  using Value = Quotient;
+  using Value = PolynomialQuotient;
 
-  Quotient of(const Network& network) const {
+  PolynomialQuotient of(const Network& network) const {
     return std::visit([this](const auto& form) { return (*this)(form); }, network.form);
   }
 
-  Quotient of(const Symbol& symbol) const {
+  PolynomialQuotient of(const Symbol& symbol) const {
     return {Polynomial::variable(ring_, to_text(symbol)), Polynomial(ring_, 1)};
   }
-  Quotient constant(const TypedNumber& number) const {
+  PolynomialQuotient constant(const TypedNumber& number) const {
     const GiNaC::numeric exact = exact_decimal(number.decimal);
     return {integer(exact.numer()), integer(exact.denom())};
   }
-  static Quotient plus(const Quotient& a, const Quotient& b) { return a + b; }
-  static Quotient times(const Quotient& a, const Quotient& b) { return a * b; }
-  static Quotient over(const Quotient& a, const Quotient& b) { return a * inverse(b); }
-  Quotient times_s(const Quotient& k) const { return {k.over * s_, k.under}; }
-  Quotient relaxing(const Quotient& k, const Quotient& tau) const {
+  static PolynomialQuotient plus(const PolynomialQuotient& a, const PolynomialQuotient& b) {
+    return a + b;
+  }
+  static PolynomialQuotient times(const PolynomialQuotient& a, const PolynomialQuotient& b) {
+    return a * b;
+  }
+  static PolynomialQuotient over(const PolynomialQuotient& a, const PolynomialQuotient& b) {
+    return a * turned_over(b);
+  }
+  PolynomialQuotient times_s(const PolynomialQuotient& k) const { return {k.over * s_, k.under}; }
+  PolynomialQuotient relaxing(const PolynomialQuotient& k, const PolynomialQuotient& tau) const {
     const Polynomial turn = tau.over * s_;
     return {k.over * turn, k.under * (tau.under + turn)};
   }
@@ -161,30 +167,32 @@ class Expansion {
     result.add_term(digits.str(), std::vector<unsigned long>(ring_.size()));
     return result;
   }
-  Quotient operator()(const Element& element) const { return law(element, *this); }
-  Quotient operator()(const Series& series) const {
-    const auto join = [](const Quotient& a, const Quotient& b) -> Quotient {
+  PolynomialQuotient operator()(const Element& element) const { return law(element, *this); }
+  PolynomialQuotient operator()(const Series& series) const {
+    const auto join = [](const PolynomialQuotient& a,
+                         const PolynomialQuotient& b) -> PolynomialQuotient {
       return {a.over * b.over, a.over * b.under + b.over * a.under};
     };
-    return folded<Quotient>(
+    return folded<PolynomialQuotient>(
         series.parts, [this](const Network& part) { return of(part); }, join);
   }
-  Quotient operator()(const Parallel& parallel) const {
-    const auto join = [](const Quotient& a, const Quotient& b) -> Quotient {
+  PolynomialQuotient operator()(const Parallel& parallel) const {
+    const auto join = [](const PolynomialQuotient& a,
+                         const PolynomialQuotient& b) -> PolynomialQuotient {
       return {a.over * b.under + b.over * a.under, a.under * b.under};
     };
-    return folded<Quotient>(
+    return folded<PolynomialQuotient>(
         parallel.parts, [this](const Network& part) { return of(part); }, join);
   }
-  Quotient operator()(const Graph& graph) const {
-    std::vector<Quotient> edges;
+  PolynomialQuotient operator()(const Graph& graph) const {
+    std::vector<PolynomialQuotient> edges;
     for (const Network& part : graph.parts) edges.push_back(of(part));
     const TreePolynomials trees(graph);
     return {put_in(trees.whole(), edges), put_in(trees.pairs(), edges)};
   }
 
   /// A sum of products of edges, times the denominators of all edges.
-  Polynomial put_in(const Polynomial& trees, const std::vector<Quotient>& edges) const {
+  Polynomial put_in(const Polynomial& trees, const std::vector<PolynomialQuotient>& edges) const {
     Polynomial sum(ring_, 0);
     for (std::size_t i = 0; i < trees.terms(); ++i) {
       const std::vector<unsigned long> taken = trees.exponents(i);
@@ -245,8 +253,8 @@ TermNumbers term_numbers(const Network& network) {
 // The sum over spanning trees of a graph whose terminals, joined, leave no edge without load is
 // irreducible or a product over its blocks, and prime to that over pairs of trees; what both may
 // share are powers of s.
-Quotient stiffness(const Network& network, const Ring& ring) {
-  const Quotient k = Expansion(ring).of(network);
+PolynomialQuotient stiffness(const Network& network, const Ring& ring) {
+  const PolynomialQuotient k = Expansion(ring).of(network);
   if (repeats_a_symbol(network)) return cancelled(k);
   const unsigned long common =
       std::min(k.over.lowest_degree(own_name("s")), k.under.lowest_degree(own_name("s")));

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "network/network.hpp"
-#include "polynomial/polynomial.hpp"
+#include "network/polynomial.hpp"
 
 namespace vcrit::symbolic {
 
@@ -17,6 +17,6 @@ struct TermNumbers {
 TermNumbers term_numbers(const Network& network);
 
 /// The ring needs own_name("s") and the network's symbols. No factor is left that divides both.
-Quotient stiffness(const Network& network, const Ring& ring);
+PolynomialQuotient stiffness(const Network& network, const Ring& ring);
 
 }  // namespace vcrit::symbolic

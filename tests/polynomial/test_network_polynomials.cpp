@@ -70,7 +70,7 @@ struct Exact {
 
 void check(const Network& network, bool distinct) {
   const Ring ring = ring_of(network);
-  const Quotient k = stiffness(network, ring);
+  const PolynomialQuotient k = stiffness(network, ring);
   const TermNumbers announced = term_numbers(network);
   if (distinct) {
     BOOST_TEST(static_cast<double>(k.over.terms()) == announced.over);
@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(zener_by_hand) {
   const Network zener = network("k0 | (k1 - c1)");
   const Ring ring({own_name("s"), "c1", "k0", "k1"});
   const auto v = [&](const std::string& name) { return Polynomial::variable(ring, name); };
-  const Quotient k = stiffness(zener, ring);
+  const PolynomialQuotient k = stiffness(zener, ring);
   BOOST_TEST((k.over == v("k0") * v("k1") + v(own_name("s")) * v("c1") * (v("k0") + v("k1"))));
   BOOST_TEST((k.under == v("k1") + v(own_name("s")) * v("c1")));
 }

@@ -156,8 +156,7 @@ BOOST_AUTO_TEST_CASE(passivity_is_decided_exactly) {
 
 BOOST_AUTO_TEST_CASE(what_cannot_be_read_is_refused_with_its_column) {
   BOOST_TEST(has(message("4e6 s"), "s.toml:11:18: found \"s\" in \"4e6 s\"; expected \"+\""));
-  BOOST_TEST(has(message("4e6*p"), "s.toml:11:18: found \"p\" in \"4e6*p\"; expected s, a number"));
-  BOOST_TEST(has(message("k0 + s"), "s.toml:11:14: found \"k0\" in \"k0 + s\"; expected s"));
+  BOOST_TEST(has(message("4e6*?"), "s.toml:11:18: found \"?\" in \"4e6*?\"; expected s, a number"));
   BOOST_TEST(has(message(""), "s.toml:11:14: found the end in \"\""));
   BOOST_TEST(has(message("2*(s + 1"), "s.toml:11:16: found \"(\" without \")\""));
   BOOST_TEST(has(message("s + 1)"), "s.toml:11:19: found \")\""));

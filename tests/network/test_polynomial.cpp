@@ -2,11 +2,11 @@
 #include <boost/test/unit_test.hpp>
 
 #include "base/errors.hpp"
-#include "polynomial/polynomial.hpp"
+#include "network/polynomial.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_polynomial)
 
-using namespace vcrit::symbolic;
+using namespace vcrit;
 
 struct Fixture {
   Ring ring{{"s", "a", "b"}};
@@ -47,13 +47,13 @@ BOOST_FIXTURE_TEST_CASE(powers_of_one_variable, Fixture) {
 }
 
 BOOST_FIXTURE_TEST_CASE(common_factors_go, Fixture) {
-  const Quotient q = cancelled({(a + b) * (a - b), (a + b) * (s + one)});
+  const PolynomialQuotient q = cancelled({(a + b) * (a - b), (a + b) * (s + one)});
   BOOST_TEST((q.over == a - b));
   BOOST_TEST((q.under == s + one));
-  const Quotient sum = cancelled(Quotient{one, a} + Quotient{one, b});
+  const PolynomialQuotient sum = cancelled(PolynomialQuotient{one, a} + PolynomialQuotient{one, b});
   BOOST_TEST((sum.over == a + b));
   BOOST_TEST((sum.under == a * b));
-  const Quotient turned = cancelled({one, Polynomial(ring, -1) * a});
+  const PolynomialQuotient turned = cancelled({one, Polynomial(ring, -1) * a});
   BOOST_TEST((turned.under == a));
 }
 

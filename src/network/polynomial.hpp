@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace vcrit::symbolic {
+namespace vcrit {
 
 /// The variables of polynomials, the first one leading in the order of terms. Must outlive its
 /// polynomials.
@@ -85,18 +85,18 @@ struct FactoredPolynomial {
   std::vector<std::pair<Polynomial, unsigned long>> factors;
 };
 /// Of a polynomial other than 0; takes seconds for thousands of terms.
-FactoredPolynomial factored(const Polynomial& polynomial);
+FactoredPolynomial polynomial_factors(const Polynomial& polynomial);
 
 /// over/under
-struct Quotient {
+struct PolynomialQuotient {
   Polynomial over, under;
 };
 
 /// Without common factors, the leading coefficient below the bar positive.
-Quotient cancelled(const Quotient& quotient);
+PolynomialQuotient cancelled(const PolynomialQuotient& quotient);
 
-Quotient operator+(const Quotient& a, const Quotient& b);
-Quotient operator*(const Quotient& a, const Quotient& b);
-Quotient inverse(const Quotient& a);
+PolynomialQuotient operator+(const PolynomialQuotient& a, const PolynomialQuotient& b);
+PolynomialQuotient operator*(const PolynomialQuotient& a, const PolynomialQuotient& b);
+PolynomialQuotient turned_over(const PolynomialQuotient& a);
 
-}  // namespace vcrit::symbolic
+}  // namespace vcrit

@@ -1,4 +1,4 @@
-#include "polynomial/polynomial.hpp"
+#include "network/polynomial.hpp"
 
 #include <flint/fmpz_mpoly_factor.h>
 
@@ -7,7 +7,7 @@
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
 
-namespace vcrit::symbolic {
+namespace vcrit {
 
 Ring::Ring(const std::vector<std::string>& names) : names_(names) {
   for (std::size_t i = 0; i < names_.size(); ++i) index_.emplace(names_[i], i);
@@ -163,7 +163,7 @@ bool operator==(const Polynomial& a, const Polynomial& b) {
   return fmpz_mpoly_equal(a.value_, b.value_, a.ring().context()) != 0;
 }
 
-FactoredPolynomial factored(const Polynomial& polynomial) {
+FactoredPolynomial polynomial_factors(const Polynomial& polynomial) {
   hear_interruption();
   const fmpz_mpoly_ctx_struct* context = polynomial.ring().context();
   fmpz_mpoly_factor_t found;
@@ -185,11 +185,11 @@ FactoredPolynomial factored(const Polynomial& polynomial) {
   return result;
 }
 
-Quotient cancelled(const Quotient& quotient) {
+PolynomialQuotient cancelled(const PolynomialQuotient& quotient) {
   hear_interruption();
   const fmpz_mpoly_ctx_struct* context = quotient.over.ring().context();
   Polynomial common(quotient.over.ring(), 0);
-  Quotient result{common, common};
+  PolynomialQuotient result{common, common};
   const int done = fmpz_mpoly_gcd_cofactors(common.raw(), result.over.raw(), result.under.raw(),
                                             quotient.over.raw(), quotient.under.raw(), context);
   ensure(done != 0, "polynomials of this size have a greatest common divisor");
@@ -200,15 +200,15 @@ Quotient cancelled(const Quotient& quotient) {
   return result;
 }
 
-Quotient operator+(const Quotient& a, const Quotient& b) {
+PolynomialQuotient operator+(const PolynomialQuotient& a, const PolynomialQuotient& b) {
   if (a.under == b.under) return {a.over + b.over, a.under};
   return {a.over * b.under + b.over * a.under, a.under * b.under};
 }
 
-Quotient operator*(const Quotient& a, const Quotient& b) {
+PolynomialQuotient operator*(const PolynomialQuotient& a, const PolynomialQuotient& b) {
   return {a.over * b.over, a.under * b.under};
 }
 
-Quotient inverse(const Quotient& a) { return {a.under, a.over}; }
+PolynomialQuotient turned_over(const PolynomialQuotient& a) { return {a.under, a.over}; }
 
-}  // namespace vcrit::symbolic
+}  // namespace vcrit
