@@ -207,7 +207,7 @@ TypedStiffness read_stiffness(const std::string& text, const std::string& name, 
   StiffnessParser(text, place, collector).whole();
   std::variant<FosterForm, NoFosterForm> form;
   if (collector.keys().empty()) {
-    NumberAlgebra algebra(place);
+    TypedNumberAlgebra algebra(place);
     form = foster_form(of_small_degree(StiffnessParser(text, place, algebra).whole(), place), name);
   } else {
     NamedAlgebra algebra(names, collector.leaves(), place);

@@ -33,17 +33,18 @@ void refuse_large_stiffness(const Place& place) {
                    "the network itself, as in prony(k0, k, tau)");
 }
 
-NumberAlgebra::Value NumberAlgebra::plus(const Value& a, const Value& b) const {
+TypedNumberAlgebra::Value TypedNumberAlgebra::plus(const Value& a, const Value& b) const {
   if (a.below == b.below) return {a.above + b.above, a.below};
   return {product(a.above, b.below) + product(b.above, a.below), product(a.below, b.below)};
 }
 
-NumberAlgebra::Value NumberAlgebra::times(const Value& a, const Value& b) const {
+TypedNumberAlgebra::Value TypedNumberAlgebra::times(const Value& a, const Value& b) const {
   return {product(a.above, b.above), product(a.below, b.below)};
 }
 
 // Common factors are left in it until the end, hence twice the degree.
-ExactPolynomial NumberAlgebra::product(const ExactPolynomial& a, const ExactPolynomial& b) const {
+ExactPolynomial TypedNumberAlgebra::product(const ExactPolynomial& a,
+                                            const ExactPolynomial& b) const {
   const long degree = a.degree() + b.degree();
   if (degree > 2 * largest_degree_of_stiffness || (degree + 1) * (a.bits() + b.bits()) > most_bits)
     refuse_large_stiffness(place_);

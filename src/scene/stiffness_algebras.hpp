@@ -30,11 +30,11 @@ struct StiffnessNames {
 constexpr int largest_degree_of_stiffness = 40;  // beyond that, prony() with its own numbers
 
 /// Rational functions of s with rational coefficients.
-class NumberAlgebra {
+class TypedNumberAlgebra {
  public:
   using Value = RationalFunction;
   /// `place` by reference, of the text.
-  explicit NumberAlgebra(const Place& place) : place_(place) {}
+  explicit TypedNumberAlgebra(const Place& place) : place_(place) {}
 
   static Value number(const std::string& decimal) { return {ExactPolynomial(decimal), one()}; }
   static Value s() { return {ExactPolynomial::variable(), one()}; }
