@@ -15,8 +15,6 @@ namespace {
 constexpr std::size_t longest_integer = 40;         // digits, as of numbers in expressions
 constexpr unsigned long largest_written_power = 9;  // likewise
 
-using Quotient = PolynomialQuotient;
-
 bool is_negative(const std::string& integer) { return integer.starts_with('-'); }
 
 Polynomial negated(const Polynomial& p) { return Polynomial(p.ring(), -1) * p; }
@@ -94,7 +92,7 @@ std::vector<std::string> factor_texts(const Polynomial& p) {
   return parts;
 }
 
-std::string quotient_text(const Quotient& q) {
+std::string quotient_text(const PolynomialQuotient& q) {
   const auto product = [](const std::vector<std::string>& parts) {
     if (parts.empty()) return std::string("1");
     std::string all = fmt::format("{}", fmt::join(parts, "*"));
@@ -111,7 +109,7 @@ std::string quotient_text(const Quotient& q) {
   return product(above) + "/" + (alone ? under : "(" + under + ")");
 }
 
-bool is_number(const Polynomial& p) {
+bool is_number_alone(const Polynomial& p) {
   const std::vector<unsigned long> exponents = p.exponents(0);
   return p.terms() == 1 &&
          std::all_of(exponents.begin(), exponents.end(), [](unsigned long e) { return e == 0; });
@@ -130,7 +128,7 @@ struct None {
 
 class NamedFoster {
  public:
-  NamedFoster(const Quotient& stiffness, std::string s, std::string name)
+  NamedFoster(const PolynomialQuotient& stiffness, std::string s, std::string name)
       : k_(cancelled(stiffness)),
         s_(std::move(s)),
         name_(std::move(name)),
@@ -216,8 +214,8 @@ class NamedFoster {
     return sum;
   }
 
-  void give(const Symbol& symbol, const Quotient& element, const char* what) {
-    const Quotient q = cancelled(element);
+  void give(const Symbol& symbol, const PolynomialQuotient& element, const char* what) {
+    const PolynomialQuotient q = cancelled(element);
     const int above = sign_of_terms(q.over), below = sign_of_terms(q.under);
     if (above * below < 0)
       throw None{{fmt::format("{} {}", what, shown(q)), "springs and dampers above 0",
@@ -227,10 +225,11 @@ class NamedFoster {
                   "springs, dampers and times that are above 0 at all values of its names",
                   "make the larger one of the smaller in [elements], as in tau1 = \"tau2*(1 + r)\" "
                   "or k1 = \"k0 + d\""}};
-    const Quotient positive = above > 0 ? q : Quotient{negated(q.over), negated(q.under)};
+    const PolynomialQuotient positive =
+        above > 0 ? q : PolynomialQuotient{negated(q.over), negated(q.under)};
     if (has_long_numbers(positive.over) || has_long_numbers(positive.under))
       throw None{{"numbers of very many digits", "at most 40 digits once it is one fraction"}};
-    if (!is_number(positive.over) || !is_number(positive.under)) {
+    if (!is_number_alone(positive.over) || !is_number_alone(positive.under)) {
       form_.expressions.emplace_back(symbol, quotient_text(positive));
       return;
     }
@@ -242,7 +241,7 @@ class NamedFoster {
   }
 
   // For messages: with s for its variable.
-  std::string shown(const Quotient& q) const { return as_typed(quotient_text(q)); }
+  std::string shown(const PolynomialQuotient& q) const { return as_typed(quotient_text(q)); }
   std::string shown(const Polynomial& p) const { return as_typed(sum_text(p)); }
   std::string as_typed(std::string text) const {
     constexpr std::size_t longest = 100;  // of one line
@@ -251,7 +250,7 @@ class NamedFoster {
     return text.size() > longest ? "of many terms" : text;
   }
 
-  Quotient k_;  // without common factors
+  PolynomialQuotient k_;  // without common factors
   std::string s_, name_;
   std::vector<Polynomial> above_, below_;  // in powers of s
   FosterForm form_;
