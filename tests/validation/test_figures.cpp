@@ -117,6 +117,26 @@ BOOST_AUTO_TEST_CASE(a_still_is_the_figure_without_its_title) {
   BOOST_TEST(picture.find("stroke=\"#123f6d\"") != picture.npos);
 }
 
+// 0.5 of y are 1 N; a figure without such an axis has nothing of it.
+BOOST_AUTO_TEST_CASE(an_axis_at_the_right_has_its_own_unit) {
+  Figure figure;
+  figure.name = "right";
+  figure.y = {"ratio", false, std::pair{0.0, 1.0}, {}};
+  figure.series = {{"", Style::line, {{0, 0.5, ""}, {1, 1, ""}}, 0}};
+  const std::string before = still(figure);
+  BOOST_TEST(before.find("class=\"right\"") == std::string::npos);
+  BOOST_TEST(!figure_json(figure).contains("right"));
+  BOOST_TEST(gnuplot(figure).find("y2") == std::string::npos);
+  figure.right = FigureAxis{"force, N", false, std::pair{0.0, 2.0}, {}};
+  const std::string after = still(figure);
+  BOOST_TEST(after.find(">force, N</text>") != std::string::npos);
+  // "1.0" of the right axis stands at half the height, 320 pixels, as 0.5 of the left one does.
+  BOOST_TEST(after.find("y=\"160.0\" dy=\"4\">1.0</text>") != std::string::npos);
+  BOOST_TEST(figure_json(figure)["right"]["range"].dump() == "[0.0,2.0]");
+  BOOST_TEST(gnuplot(figure).find("set y2range [0:2]") != std::string::npos);
+  BOOST_TEST(gnuplot(figure).find("set y2tics") != std::string::npos);
+}
+
 // Middles 10 and 100: halfway by ratio.
 BOOST_AUTO_TEST_CASE(bars_have_edges) {
   BOOST_TEST(figure_json(everything())["series"][2]["edges"].dump() ==

@@ -82,6 +82,9 @@ struct Figure {
   std::vector<FigureSeries> series;  ///< later ones lie on top
   std::vector<Rule> rules;
   int height = 320;  ///< of the drawing on the page, in pixels
+  /// At the right edge: what the heights of y mean in another unit. Its range, which it must have,
+  /// is that of y in that unit.
+  std::optional<FigureAxis> right;
 };
 
 /// Colours for paper, as "#rrggbb": 0 the main one, 1 the second, 2 for reference, 3 the third, 4

@@ -110,6 +110,7 @@ ordered_json figure_json(const Figure& given) {
                       {"bands", list(figure.bands, figure)},
                       {"series", list(figure.series, figure)},
                       {"rules", list(figure.rules, figure)}};
+  if (figure.right) result["right"] = json(*figure.right);
   if (figure.map) result["map"] = json(*figure.map, figure);
   return result;
 }

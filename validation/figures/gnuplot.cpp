@@ -119,12 +119,14 @@ Json rules_record(const Figure& figure) {
 
 Json record_of(const Figure& figure) {
   Json axes{axis_record("x", figure.x), axis_record("y", figure.y)}, bands = Json::array();
+  if (figure.right) axes.push_back(axis_record("y2", *figure.right));
   if (figure.map) axes.push_back(axis_record("cb", figure.map->value));
   for (const Band& band : figure.bands)
     bands.push_back({{"from", band.from}, {"to", band.to}, {"colour", palette(1)}});
   return {{"name", figure.name},
           {"title", figure.title},
           {"axes", axes},
+          {"right", figure.right.has_value()},
           {"map", figure.map ? map_record(figure) : Json()},
           {"bands", bands},
           {"rules", rules_record(figure)},

@@ -22,23 +22,22 @@ namespace {
 using record::Json;
 
 // Pixels. Letters are 13 high and at most about 7 wide.
-constexpr double picture_width = 680, left_margin = 72, right_margin = 18,
-                 inner_width = picture_width - left_margin - right_margin;
+constexpr double picture_width = 680, left_margin = 72, right_margin = 18, right_axis = 64;
 constexpr double title_height = 34, untitled_height = 12, below_axis = 50, legend_row = 20,
                  letter_width = 7, line_height = 16;
 
 struct Frame {
   const Figure& figure;
   FigureScales scales;
-  double height;  ///< of the data
+  double width, height;  ///< of the data
 
-  double x(double value) const { return inner_width * scales.x.place(value); }
+  double x(double value) const { return width * scales.x.place(value); }
   double y(double value) const { return height * (1 - scales.y.place(value)); }
 };
 
 /// On the picture: what lies far outside would be cut off in any case.
 bool is_near(const Frame& frame, double x, double y) {
-  return std::isfinite(x) && std::isfinite(y) && std::abs(x) < 4 * inner_width &&
+  return std::isfinite(x) && std::isfinite(y) && std::abs(x) < 4 * frame.width &&
          std::abs(y) < 4 * frame.height;
 }
 
@@ -138,6 +137,21 @@ Json ticks_of(const Frame& frame, bool horizontal) {
   return all;
 }
 
+Json right_axis_of(const Frame& frame) {
+  const FigureAxis& axis = *frame.figure.right;
+  const AxisScale scale(axis, {}, frame.figure.height / 50);
+  Json ticks = Json::array();
+  for (const Tick& tick : scale.ticks())
+    ticks.push_back({{"at", frame.height * (1 - scale.place(tick.at))}, {"words", tick.words}});
+  return {{"edge", frame.width},
+          {"long", frame.height},
+          {"words_at", frame.width + 8},
+          {"title_at", frame.width + right_axis - 8},
+          {"title_half", frame.height / 2},
+          {"title", axis.title},
+          {"ticks", ticks}};
+}
+
 struct Box {
   double x, y, width, height;  ///< from its upper left corner
 
@@ -188,7 +202,7 @@ class FreePlaces {
   }
 
   bool is_free(const Box& box) const {
-    return box.x >= 0 && box.x + box.width <= inner_width && box.y >= 0 &&
+    return box.x >= 0 && box.x + box.width <= frame_.width && box.y >= 0 &&
            box.y + box.height <= frame_.height &&
            std::none_of(points_.begin(), points_.end(),
                         [&](const auto& at) { return box.holds(at.first, at.second); }) &&
@@ -207,7 +221,7 @@ std::vector<Box> places_beside(const Frame& frame, const Rule& rule) {
   std::vector<Box> all;
   if (rule.horizontal) {
     const double y = frame.y(rule.at);
-    for (const double x : {gap, inner_width - gap - length})
+    for (const double x : {gap, frame.width - gap - length})
       for (const double top : {y - line_height, y + 2})
         all.push_back({x, top, length, line_height});
     return all;
@@ -239,8 +253,8 @@ Json drawn_rules(const Frame& frame) {
 Json drawn_bands(const Frame& frame) {
   Json all = Json::array();
   for (const Band& band : frame.figure.bands) {
-    const double from = std::clamp(frame.x(band.from), 0.0, inner_width),
-                 to = std::clamp(frame.x(band.to), 0.0, inner_width);
+    const double from = std::clamp(frame.x(band.from), 0.0, frame.width),
+                 to = std::clamp(frame.x(band.to), 0.0, frame.width);
     const bool has_room = to - from > letter_width * static_cast<double>(band.words.size());
     all.push_back({{"x", from},
                    {"width", to - from},
@@ -257,21 +271,22 @@ namespace {
 /// One figure below `top`, which moves to its end.
 Json panel(const Figure& figure, bool titled, double& top) {
   if (figure.map) throw Bug("a map in a picture of lines and points");
+  const double margin = figure.right ? right_axis : right_margin;
   const Frame frame{figure, scales_of(figure, 7, figure.height / 50),
-                    static_cast<double>(figure.height)};
+                    picture_width - left_margin - margin, static_cast<double>(figure.height)};
   const Json legend = legend_of(figure);
   top += (titled ? title_height : untitled_height) + (legend.empty() ? 0 : legend_row);
   Json all{{"name", figure.name},
            {"top", top},
            {"left", left_margin},
-           {"width", inner_width},
+           {"width", frame.width},
            {"height", frame.height},
-           {"middle", inner_width / 2},
+           {"middle", frame.width / 2},
            {"half", frame.height / 2},
            {"band_words_at", frame.height - 8},
            {"tick_words_at", frame.height + 19},
            {"x_title_at", frame.height + 40},
-           {"clipped_width", inner_width + 2},
+           {"clipped_width", frame.width + 2},
            {"clipped_height", frame.height + 2},
            {"title", titled ? figure.title : ""},
            {"title_at", legend.empty() ? -14.0 : -14.0 - legend_row},
@@ -282,7 +297,8 @@ Json panel(const Figure& figure, bool titled, double& top) {
            {"bands", drawn_bands(frame)},
            {"series", drawn_series(frame)},
            {"rules", drawn_rules(frame)},
-           {"legend", legend}};
+           {"legend", legend},
+           {"right", figure.right ? right_axis_of(frame) : Json()}};
   top += frame.height + below_axis;
   return all;
 }

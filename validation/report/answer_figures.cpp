@@ -124,6 +124,13 @@ std::optional<Figure> answer_figure(const SceneReport& report) {
   figure.height = 280;
   figure.x = {"sliding speed, " + scale.unit, false, std::pair{0.0, end * scale.factor}, {}};
   figure.y = {"friction / friction without vibration", false, std::pair{0.0, 1.05}, {}};
+  if (std::isfinite(full_friction)) {
+    const Scale force = scale_for(full_friction, "N");
+    figure.right = {"mean friction force, " + force.unit,
+                    false,
+                    std::pair{0.0, figure.y.range->second * full_friction * force.factor},
+                    {}};
+  }
   FigureSeries series;
   for (const Point& point : points)
     if (point.x <= 1.02 * end)

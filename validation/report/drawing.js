@@ -99,14 +99,16 @@ const vcrit_drawing = (() => {
   function planOf(figure, width) {
     const { height } = figure, y = scaleOf(figure.y, shownOn(figure, false), height / 45);
     const left = short(22 + Math.max(40, 10 + Math.max(...y.ticks.map(({ words }) => widthOf(words)))));
-    const ends = endsOf(figure, width, y), right = Math.max(16, ...ends.map(({ name }) => 12 + widthOf(name)));
+    const beside = figure.right && width >= 480 ? scaleOf(figure.right, [], height / 45) : null;  // no room for it on a phone
+    const room = beside ? 34 + Math.max(...beside.ticks.map(({ words }) => widthOf(words))) : 16;
+    const ends = beside ? [] : endsOf(figure, width, y), right = Math.max(room, ...ends.map(({ name }) => 12 + widthOf(name)));
     const inner = Math.max(60, short(width - left - right)), x = scaleOf(figure.x, shownOn(figure, true), inner / 80);
     const aside = width < 560 ? 0 : left;  // on a phone legends need the whole width
     const colours = figure.map && !figure.map.colours ? 52 : 0;
     const { entries, height: legend } = ends.length > 0 ? { entries: [], height: 0 } : entriesOf(figure, width - aside - 30);
     const top = colours + legend + 8;
     return { figure, width, left, aside, top, inner, height, colours, entries, ends, total: top + height + 46,
-             xTicks: x.ticks, yTicks: y.ticks,
+             xTicks: x.ticks, yTicks: y.ticks, beside, right,
              x: (value) => short(inner * x.at(value)), y: (value) => short(height * (1 - y.at(value))) };
   }
 
@@ -143,6 +145,19 @@ const vcrit_drawing = (() => {
       : { transform: `translate(${short(14 - left)},${height / 2}) rotate(-90)` };
     add(axis, "text", { class: "title", "text-anchor": "middle", stroke: "none", ...middle },
         horizontal ? figure.x.title : figure.y.title);
+  }
+
+  // What the heights of y mean in another unit, at the right edge.
+  function drawBeside({ figure, beside, right, inner, height }, into) {
+    const axis = add(into, "g", { class: "axis right", transform: `translate(${inner},0)`, stroke: frame });
+    add(axis, "path", { d: `M0 0v${height}` });
+    for (const { at, words } of beside.ticks) {
+      const tick = add(axis, "g", { class: "tick", transform: `translate(0,${short(height * (1 - beside.at(at)))})` });
+      add(tick, "path", { d: "M0 0h5" });
+      add(tick, "text", { x: 8, y: 4, stroke: "none" }, words);
+    }
+    const turned = `translate(${short(right - 6)},${height / 2}) rotate(-90)`;
+    add(axis, "text", { class: "title", "text-anchor": "middle", stroke: "none", transform: turned }, figure.right.title);
   }
 
   // Cells of one colour make one path.
@@ -344,6 +359,7 @@ const vcrit_drawing = (() => {
     drawSeries(plan, series, taken);
     drawRules(plan, rules, words, taken);
     for (const horizontal of [true, false]) drawAxis(plan, into, horizontal);
+    if (plan.beside) drawBeside(plan, into);
     return svg;
   }
 
