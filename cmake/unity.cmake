@@ -1,3 +1,11 @@
+# What makes compiling quick.
+
+# GCC starts to collect its garbage at 128 MiB and does so again and again in units of many files: a fifth of their time.
+# From 1 GiB on, the largest unit takes 1.6 GiB in place of 1.3.
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  add_compile_options($<$<COMPILE_LANGUAGE:CXX>:--param=ggc-min-heapsize=1048576>)
+endif()
+
 # Files of a target compiled together. A translation unit spends its time on headers and on templates that each file
 # instantiates anew; few units of many files share both and take a quarter of the time from scratch. After a change of
 # one file they take longer, so the preset `dev` goes without; names are kept apart by tests/project/test_names.py.
