@@ -23,7 +23,7 @@ CHARTS = """return [...document.querySelectorAll('.chart')].map((chart) => {
         at: tick.transform.baseVal[0].matrix[axis === 'x' ? 'e' : 'f'] }));
     return {
         record: chart.record ?? JSON.parse(beside.textContent),
-        x: ticks('x'), y: ticks('y'),
+        x: ticks('x'), y: ticks('y'), right: ticks('right'),
         titles: all('.axis .title', (title) => title.textContent),
         legend: all('.legend .entry', (entry) => entry.textContent),
         series: all('.series path', (path) => path.getAttribute('d')),

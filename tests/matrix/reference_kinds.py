@@ -141,6 +141,8 @@ KINDS = {
     "measured_contact": lambda v: (measured(v, "n"), measured(v, "t"), kelvin(v["kd"], v["cd"])),
     "rational": lambda v: (prony({"k0": v["k0_pad"], "k": v["k_pad"], "tau": v["tau_pad"]}), mindlin("0.3"),
                            spring(v["kd"])),
+    # (k0 k1 + (k0 + k1) c1 s)/(k1 + c1 s), and k1 = r k0
+    "rational_names": lambda v: (zener(v["k0"], v["r"] * v["k0"], v["c1"]), mindlin("0.3"), spring(v["kd"])),
     "symbols": lambda v: (zener(v["k0"], v["k1"], v["c1"]), mindlin("0.3"), spring(v["kd"])),
 }
 for same, other in [("antiresonance", "free_harmonic"), ("near_free_harmonic", "free_harmonic"),
