@@ -27,7 +27,7 @@ std::optional<double> multiplied_out(const Case& each) {
   std::set<std::string> names{symbolic::own_name("s")};
   for (const Symbol& symbol : symbols_of(each.network)) names.insert(to_text(symbol));
   return seconds_of([&] {
-    const symbolic::Ring ring({names.begin(), names.end()});
+    const Ring ring({names.begin(), names.end()});
     symbolic::stiffness(each.network, ring);
   });
 }

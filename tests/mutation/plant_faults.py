@@ -46,7 +46,7 @@ FAULTS = [
     ("src/fit/refine.cpp", "result.col(branches_ + i++) = branch.stiffness *", "stiffness", "time", "fit/test_fit"),
     ("symbolic/formula/form.cpp", "if (prefactor && form.text == \"omega\") return -2;", "&&", "||",
      "document/test_print"),
-    ("symbolic/polynomial/polynomial.cpp", "lowest = std::min(lowest, exponents(i)[index])", "min", "max",
+    ("src/network/polynomial.cpp", "lowest = std::min(lowest, exponents(i)[index])", "min", "max",
      "polynomial/test_polynomial"),
     ("symbolic/derivation/leading_reduction.cpp", "(a > b) == (step.kind == Step::Kind::parallel)", ">", "<",
      "analysis/test_limits"),
