@@ -47,7 +47,7 @@ FAULTS = [
     ("symbolic/formula/form.cpp", "if (prefactor && form.text == \"omega\") return -2;", "&&", "||",
      "document/test_print"),
     ("src/network/polynomial.cpp", "lowest = std::min(lowest, exponents(i)[index])", "min", "max",
-     "polynomial/test_polynomial"),
+     "network/test_polynomial"),
     ("symbolic/derivation/leading_reduction.cpp", "(a > b) == (step.kind == Step::Kind::parallel)", ">", "<",
      "analysis/test_limits"),
     ("symbolic/analysis/resonance.cpp", "(p.odd * q.even - p.even * q.odd)", "-", "+", "analysis/test_resonance"),
