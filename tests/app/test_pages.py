@@ -3,6 +3,7 @@ and on paper, no speed where there is none, and a failed check above everything.
 """
 
 import base64
+import json
 import os
 import re
 import subprocess
@@ -12,7 +13,7 @@ from pathlib import Path
 
 from selenium.webdriver.common.by import By
 
-from browsing import browser, draw_charts, load
+from browsing import CHARTS, browser, draw_charts, load
 from program import PROGRAM, PROJECT
 
 SCENES = ["zener", "inadmissible", "sonotrode"]
@@ -91,6 +92,18 @@ class Pages(unittest.TestCase):
         self.assertIn('<svg class="still"', body)
         self.assertIn('<svg class="drawing"', body)
         self.assertLess(len(page.encode()), 2_000_000)
+
+    def test_friction_is_also_in_newtons(self):
+        program = [PROGRAM, "simulate", PROJECT / "scenes/zener.toml", "--velocity-ratio", "1.05", "--json"]
+        sliding = json.loads(subprocess.run(program, check=True, capture_output=True, text=True).stdout)
+        force = sliding["energy"]["drive"] * 20e3 / sliding["velocity"]  # work of a period over its way
+        for width, drawn in [(DESK, True), (PHONE, False)]:  # no room for it on a phone
+            self.open("zener", width)
+            chart = next(chart for chart in self.script(CHARTS) if "right" in chart["record"])
+            self.assertEqual(chart["right"] != [], drawn)
+            y, newtons = chart["record"]["y"], chart["record"]["right"]
+            self.assertEqual(newtons["title"], "mean friction force, N")
+            self.assertAlmostEqual(newtons["range"][1] / y["range"][1], force, delta=1e-5)  # six digits of a record
 
     # Two sheets, on which the chart and the formula are; the explorer is not.
     def test_two_sheets_of_paper(self):

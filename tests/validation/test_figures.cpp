@@ -130,8 +130,8 @@ BOOST_AUTO_TEST_CASE(an_axis_at_the_right_has_its_own_unit) {
   figure.right = FigureAxis{"force, N", false, std::pair{0.0, 2.0}, {}};
   const std::string after = still(figure);
   BOOST_TEST(after.find(">force, N</text>") != std::string::npos);
-  // "1.0" of the right axis stands at half the height, 320 pixels, as 0.5 of the left one does.
-  BOOST_TEST(after.find("y=\"160.0\" dy=\"4\">1.0</text>") != std::string::npos);
+  // "1" of the right axis stands at half the height, 320 pixels, as 0.5 of the left one does.
+  BOOST_TEST(after.find("y=\"160.0\" dy=\"4\">1</text>") != std::string::npos);
   BOOST_TEST(figure_json(figure)["right"]["range"].dump() == "[0.0,2.0]");
   BOOST_TEST(gnuplot(figure).find("set y2range [0:2]") != std::string::npos);
   BOOST_TEST(gnuplot(figure).find("set y2tics") != std::string::npos);
