@@ -162,10 +162,8 @@ class Charts(unittest.TestCase):
         x, y, *_ = [self.check_axis(chart[axis], record[axis]) for axis in axes]
         self.assertEqual(chart["titles"], [record[axis]["title"] for axis in axes])
         names = [words for _, words in record.get("map", {}).get("value", {}).get("ticks", [])]
-        for series in record["series"]:
-            if series["name"] and series["name"] not in names:
-                names.append(series["name"])
-        self.assertEqual(chart["legend"], names)
+        names += [series["name"] for series in record["series"] if series["name"]]
+        self.assertEqual(chart["legend"], list(dict.fromkeys(names)))
         self.assertEqual(len(chart["series"]), len(record["series"]))
         for series, path in zip(record["series"], chart["series"]):
             if series["style"] != "bars":
