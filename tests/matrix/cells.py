@@ -19,8 +19,12 @@ TINY = mp.mpf(10)**-25
 U = 2.0**-53
 
 
+# Seconds to what is a hang, and not all kinds in one call on a machine with other work.
+PATIENCE = 900
+
+
 def run(*arguments, **options):
-    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=120,
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=PATIENCE,
                           cwd=FOLDER / "kinds", **options)
 
 
