@@ -19,12 +19,8 @@ TINY = mp.mpf(10)**-25
 U = 2.0**-53
 
 
-# Seconds to what is a hang, and not all kinds in one call on a machine with other work.
-PATIENCE = 900
-
-
-def run(*arguments, **options):
-    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=PATIENCE,
+def run(*arguments, timeout=120, **options):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=timeout,
                           cwd=FOLDER / "kinds", **options)
 
 

@@ -351,7 +351,7 @@ class Matrix(Cells, unittest.TestCase):
         """All kinds in one call; with no compiler, since generated code has columns of its own."""
         def validated(*kinds):
             return run("validate", *map(scene, kinds), "--out", self.folder / "report", "--json",
-                       env=dict(os.environ, PATH="/nonexistent"))
+                       timeout=120 + 5 * len(kinds), env=dict(os.environ, PATH="/nonexistent"))
 
         refused = [kind for kind in KINDS if refusal(kind, "validate")]
         for kind in refused:
