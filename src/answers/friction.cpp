@@ -23,10 +23,12 @@ simulation::SteadyState SteadyFriction::at(double velocity, simulation::Start st
 
 void SteadyFriction::curve(
     std::span<const double> velocities,
-    const std::function<void(std::size_t, const simulation::PassingPoint&)>& use) const {
+    const std::function<void(std::size_t, const simulation::PassingPoint&)>& use,
+    double tolerance) const {
   if (const auto* system = std::get_if<simulation::System>(&motion_))
     return simulation::friction_curve(*system, velocities, use);
-  const auto points = indenter::friction_curve(std::get<indenter::HalfSpace>(motion_), velocities);
+  const auto points = indenter::friction_curve(std::get<indenter::HalfSpace>(motion_), velocities,
+                                               tolerance);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto state = points[i].friction
                            ? std::optional(indenter::steady_state_of(*points[i].friction))

@@ -5,6 +5,7 @@
 #include <span>
 #include <variant>
 
+#include "indenter/friction.hpp"
 #include "indenter/half_space.hpp"
 #include "problem/problem.hpp"
 #include "simulation/steady/curve.hpp"
@@ -23,9 +24,10 @@ class SteadyFriction {
                              simulation::Start start = simulation::Start::sliding) const;
 
   /// use(place, point) for each velocity as it is found; nothing is thrown for one without a steady
-  /// state.
+  /// state. tolerance: below an indenter.
   void curve(std::span<const double> velocities,
-             const std::function<void(std::size_t, const simulation::PassingPoint&)>& use) const;
+             const std::function<void(std::size_t, const simulation::PassingPoint&)>& use,
+             double tolerance = indenter::usual_tolerance) const;
 
  private:
   std::variant<simulation::System, indenter::HalfSpace> motion_;

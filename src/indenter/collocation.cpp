@@ -91,11 +91,14 @@ State TimeStep::at(double t) const {
   return from_ + share * sum;
 }
 
-double TimeStep::at(double t, Eigen::Index i) const {
+TimeStep::WithRate TimeStep::with_rate(double t, Eigen::Index i) const {
   const double share = (t - begin_) / length_;
-  double sum = 0;
-  for (Eigen::Index j = powers_.cols() - 1; j >= 0; --j) sum = sum * share + powers_(i, j);
-  return from_(i) + share * sum;
+  double sum = 0, slope = 0;
+  for (Eigen::Index j = powers_.cols() - 1; j >= 0; --j) {
+    slope = slope * share + sum;
+    sum = sum * share + powers_(i, j);
+  }
+  return {from_(i) + share * sum, (sum + share * slope) / length_};
 }
 
 Collocation::Collocation(Rates rates, double tolerance, SharedEffort* whole)

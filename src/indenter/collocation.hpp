@@ -22,7 +22,10 @@ class TimeStep {
   void end_at(double t) { end_ = t; }
 
   State at(double t) const;
-  double at(double t, Eigen::Index i) const;
+  struct WithRate {
+    double value, rate;
+  };
+  WithRate with_rate(double t, Eigen::Index i) const;
 
  private:
   friend class Collocation;

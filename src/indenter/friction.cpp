@@ -114,18 +114,24 @@ LastStick highest(const HalfSpace& half_space, const OnsetOfCell& onset) {
   return result;
 }
 
-}  // namespace
-
-Friction friction(const HalfSpace& given, double velocity, double tolerance) {
-  simulation::require_forward(velocity);
+FrictionOfSpeed friction_of(const HalfSpace& given, double tolerance) {
   if (!(tolerance > 0))
     throw InputError({"tolerance"}, fmt::format("{}", tolerance), "a relative error above 0");
-  if (given.holder())
-    return given.uniform() ? of_whole(given, velocity) : rim_friction(given, velocity);
-  if (given.uniform()) return of_one_cell(given, velocity);
-  return within_effort(given, [&](const HalfSpace& half_space) {
-    return of_all_cells(half_space, velocity, tolerance);
-  });
+  if (given.holder() && !given.uniform()) return rim_friction(given, tolerance);
+  return [&given, tolerance](double velocity) {
+    if (given.holder()) return of_whole(given, velocity);
+    if (given.uniform()) return of_one_cell(given, velocity);
+    return within_effort(given, [&](const HalfSpace& half_space) {
+      return of_all_cells(half_space, velocity, tolerance);
+    });
+  };
+}
+
+}  // namespace
+
+Friction friction(const HalfSpace& half_space, double velocity, double tolerance) {
+  simulation::require_forward(velocity);
+  return friction_of(half_space, tolerance)(velocity);
 }
 
 // A punch that is closed carries least where the indentation is least, or opens.
@@ -147,9 +153,17 @@ simulation::SteadyState steady_state_of(const Friction& friction) {
 std::vector<CurvePoint> friction_curve(const HalfSpace& half_space,
                                        std::span<const double> velocities, double tolerance) {
   std::vector<CurvePoint> curve(velocities.size());
+  FrictionOfSpeed friction_at;
+  try {
+    friction_at = friction_of(half_space, tolerance);
+  } catch (const ModelError& error) {
+    for (CurvePoint& point : curve) point.reason = error.what();
+    return curve;
+  }
   tbb::parallel_for(std::size_t{0}, curve.size(), [&](std::size_t i) {
     try {
-      curve[i].friction = friction(half_space, velocities[i], tolerance);
+      simulation::require_forward(velocities[i]);
+      curve[i].friction = friction_at(velocities[i]);
     } catch (const ModelError& error) {
       curve[i].reason = error.what();
     }

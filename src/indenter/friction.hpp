@@ -25,11 +25,15 @@ struct Friction {
       0;  ///< largest difference of a cell's ratio, started in sliding and at rest
 };
 
+/// Of figures, and of curves to look at, where nobody sees a millionth.
+inline constexpr double usual_tolerance = 1e-9, drawn_tolerance = 1e-6;
+
 /// velocity: of the indenter, m/s, > 0; tolerance: on ratio and relative normal force, > 0, below
-/// some 1e-14 of no use, and not used on a drive that gives, where the error is what it is. Cells
-/// are shared among the threads; the result is the same for any number of them. Throws ModelError
-/// where no steady state of a cell is found, or all together take too much work (effort_of_cells).
-Friction friction(const HalfSpace& half_space, double velocity, double tolerance = 1e-9);
+/// some 1e-14 of no use; on a drive that gives, of a coarse step, below 1e-9 of no use, and the
+/// error is what it is. Cells are shared among the threads; the result is the same for any number
+/// of them. Throws ModelError where no steady state of a cell is found, or all together take too
+/// much work (effort_of_cells).
+Friction friction(const HalfSpace& half_space, double velocity, double tolerance = usual_tolerance);
 
 /// As that of one contact: of the whole, without events.
 simulation::SteadyState steady_state_of(const Friction& friction);
@@ -47,9 +51,10 @@ struct Pressed {
 /// Of an indenter on a drive that gives; elastic, or a flat punch.
 Pressed pressed(const HalfSpace& half_space);
 
-/// One point for each velocity, in their order.
+/// One point for each velocity, in their order. What is the same at all of them is found once.
 std::vector<CurvePoint> friction_curve(const HalfSpace& half_space,
-                                       std::span<const double> velocities, double tolerance = 1e-9);
+                                       std::span<const double> velocities,
+                                       double tolerance = usual_tolerance);
 
 struct Cell {
   double x = 0;                   ///< m

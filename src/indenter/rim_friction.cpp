@@ -14,8 +14,9 @@ namespace vcrit::indenter {
 
 namespace {
 
-// On a step: the coarse one tells the error of the fine one.
-constexpr double coarse = 1e-9, fine = 1e-12, finest = 1e-14;
+// On a step: the coarse one tells the error of the fine one, with a thousandth of the tolerance.
+// Below the finest all is rounding; of friction, whose events add up, below the least tolerance.
+constexpr double coarse = 1e-9, finest = 1e-14, least_tolerance = 1e-9, finer = 1000;
 
 // Of forces that are about 1, of some hundred steps.
 constexpr double force_rounding_error = 1e-14;
@@ -35,6 +36,7 @@ class Sliding {
     find();
   }
 
+  /// Infinite where the body swings freely at a harmonic of the normal force.
   bool resonant() const { return resonant_; }
   const State& body() const { return body_; }
   double mean_force() const { return motion_.impulse() / two_pi; }
@@ -276,30 +278,34 @@ Friction without_oscillation(const HalfSpace& half_space) {
 
 }  // namespace
 
-Friction rim_friction(const HalfSpace& half_space, double velocity) {
-  if (!(half_space.amplitude() > 0)) return without_oscillation(half_space);
-  const Held held(half_space);
-  const double speed = velocity / held.contact().speed_unit();
-  const auto sliding = held.sliding(fine);
+FrictionOfSpeed rim_friction(const HalfSpace& half_space, double tolerance) {
+  if (!(half_space.amplitude() > 0))
+    return [found = without_oscillation(half_space)](double) { return found; };
+  const double rough = std::max(tolerance, least_tolerance), fine = rough / finer;
+  const auto held = std::make_shared<const Held>(half_space);
+  const std::shared_ptr<const Sliding> sliding = held->sliding(fine);
   if (sliding->resonant()) throw ModelError(rings);
-  Friction result;
-  Motions motions{true, false, false};
-  result.normal_force = sliding->mean_force() * held.contact().force_unit();
-  result.normal_force_error = force_rounding_error * result.normal_force;
-  result.ratio = 1;
-  result.error = force_rounding_error;
-  if (speed < sliding->largest()) {
-    const double all = two_pi * sliding->mean_force();
-    const double share = std::min(1.0, 1e3 * speed);
-    const Held::Found rough = held.cycle(*sliding, speed, share * coarse),
-                      found = held.cycle(*sliding, speed, share * fine);
-    result.ratio = found.impulse / all;
-    result.error += std::abs(rough.impulse / all - result.ratio) + found.open / all;
-    motions.stick = found.shown.stick;
-    motions.backslip = found.shown.backslip;
-  }
-  result.regime = motions.regime();
-  return result;
+  return [=, largest = sliding->largest()](double velocity) {
+    const double speed = velocity / held->contact().speed_unit();
+    Friction result;
+    Motions motions{true, false, false};
+    result.normal_force = sliding->mean_force() * held->contact().force_unit();
+    result.normal_force_error = force_rounding_error * result.normal_force;
+    result.ratio = 1;
+    result.error = force_rounding_error;
+    if (speed < largest) {
+      const double all = two_pi * sliding->mean_force();
+      const double share = std::min(1.0, 1e3 * speed);
+      const Held::Found before = held->cycle(*sliding, speed, share * rough),
+                        found = held->cycle(*sliding, speed, share * fine);
+      result.ratio = found.impulse / all;
+      result.error += std::abs(before.impulse / all - result.ratio) + found.open / all;
+      motions.stick = found.shown.stick;
+      motions.backslip = found.shown.backslip;
+    }
+    result.regime = motions.regime();
+    return result;
+  };
 }
 
 Pressed rim_pressed(const HalfSpace& half_space) {
@@ -308,7 +314,7 @@ Pressed rim_pressed(const HalfSpace& half_space) {
     return {force, force};
   const Held held(half_space);
   const double unit = held.contact().force_unit();
-  return {held.sliding(fine)->mean_force() * unit, held.contact().force(pi) * unit};
+  return {held.sliding(coarse / finer)->mean_force() * unit, held.contact().force(pi) * unit};
 }
 
 simulation::Onset rim_threshold(const HalfSpace& half_space) {

@@ -2,15 +2,21 @@
 // which all its cells slide.
 #pragma once
 
+#include <functional>
+
 #include "indenter/friction.hpp"
 #include "indenter/half_space.hpp"
 
 namespace vcrit::indenter {
 
-/// As friction() has it, without cells: of their continuum. Its error is the difference to the same
-/// with a hundredfold tolerance, and what the period does not close by. Throws ModelError where no
-/// steady motion is found.
-Friction rim_friction(const HalfSpace& half_space, double velocity);
+/// By a velocity of the drive, m/s, > 0.
+using FrictionOfSpeed = std::function<Friction(double velocity)>;
+
+/// As friction() has it, without cells: of their continuum. What is the same at all speeds is found
+/// here, once. The error is the difference to the same with a thousandth of the tolerance, of a
+/// step, and what the period does not close by. Both throw ModelError where no steady motion is
+/// found.
+FrictionOfSpeed rim_friction(const HalfSpace& half_space, double tolerance);
 
 /// Of the normal force over a period.
 Pressed rim_pressed(const HalfSpace& half_space);

@@ -53,41 +53,42 @@ double RimMotion::level(double t, double place, int d) const {
 // l_d of what a layer remembers at a depth: l_- = l_+ + 2 g.
 double RimMotion::level_of(const Layer& layer, double depth, double touched, int d) const {
   if (layer.frozen != 0) return layer.level + (layer.frozen - d) * depth;
-  if (history_.empty()) return 0;
+  return touched_level(touched, d).value;
+}
+
+/// l_d of the cells that touched at a time, and its slope over that time.
+RimMotion::TouchedLevel RimMotion::touched_level(double touched, int d) const {
+  if (history_.empty()) return {};
   const auto step =
       std::partition_point(history_.begin(), history_.end() - 1,
                            [touched](const TimeStep& each) { return each.end() < touched; });
-  return level(touched, step->at(touched, place_), d);
+  const auto [place, speed] = step->with_rate(touched, place_);
+  return {level(touched, place, d), speed - d * contact_.depth_rate(touched)};
 }
 
 double RimMotion::inner_level(const Layer& layer, int d) const {
   return level_of(layer, layer.from, layer.touched, d);
 }
 
-// Where the level of touched cells is `wanted`: outwards, d l_d falls.
+// Where the level of touched cells is `wanted`: outwards, d l_d falls. By Newton's method from the
+// last answer, which is near while a step is found, between ends that close in.
 double RimMotion::touched_when(const Layer& layer, double wanted, int d) const {
-  double low = layer.touched, high = layer.touched_end;
-  const auto above = [&](double t) { return d * (level_of(layer, 0, t, d) - wanted); };
-  double at_low = above(low), at_high = above(high);
-  if (at_low <= 0) return low;
-  if (at_high >= 0) return high;
-  // Regula falsi with a guard (Illinois).
+  double low = layer.touched, high = layer.touched_end, before = high - low;
+  const auto above = [&](double t) { return d * (touched_level(t, d).value - wanted); };
+  if (above(low) <= 0) return low;
+  if (above(high) >= 0) return high;
+  double t = touched_.when > low && touched_.when < high ? touched_.when : 0.5 * (low + high);
   for (int i = 0; i < 100 && high - low > 4 * epsilon * high; ++i) {
-    double middle = low + (high - low) * at_low / (at_low - at_high);
-    if (!(middle > low && middle < high)) middle = 0.5 * (low + high);
-    const double found = above(middle);
-    if (std::abs(found) <= 2 * epsilon * std::max(1.0, std::abs(wanted))) return middle;
-    if (found > 0) {
-      at_high *= i % 3 == 2 ? 0.25 : 0.5;
-      low = middle;
-      at_low = found;
-    } else {
-      at_low *= i % 3 == 2 ? 0.25 : 0.5;
-      high = middle;
-      at_high = found;
-    }
+    const auto [value, slope] = touched_level(t, d);
+    const double found = d * (value - wanted);
+    if (std::abs(found) <= 2 * epsilon * std::max(1.0, std::abs(wanted))) return t;
+    (found > 0 ? low : high) = t;
+    const double next = t - (value - wanted) / slope, change = std::abs(next - t);
+    const bool closes_in = next > low && next < high && change < 0.5 * before;
+    before = closes_in ? change : high - low;
+    t = closes_in ? next : 0.5 * (low + high);
   }
-  return 0.5 * (low + high);
+  return t;
 }
 
 /// The depth up to which cells stick; below 0 if none does.
@@ -98,8 +99,10 @@ double RimMotion::stuck_to(double t, double place) const {
   const Layer& top = layers_.back();
   const double here = level(t, place, d);
   if (top.frozen == 0) {
-    if (touched_.t != t || touched_.place != place)
-      touched_ = {t, place, contact_.depth(touched_when(top, here, d))};
+    if (touched_.t != t || touched_.place != place) {
+      const double when = touched_when(top, here, d);
+      touched_ = {t, place, contact_.depth(when), when};
+    }
     return touched_.depth;
   }
   if (top.frozen == d) return top.to;

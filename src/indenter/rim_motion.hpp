@@ -64,10 +64,15 @@ class RimMotion {
     double touched = 0, touched_end = 0;  // times
   };
 
+  struct TouchedLevel {
+    double value = 0, slope = 0;
+  };
+
   double behind(double t, const State& state) const;
   int direction() const;
   double level(double t, double place, int d) const;
   double level_of(const Layer& layer, double depth, double touched, int d) const;
+  TouchedLevel touched_level(double touched, int d) const;
   double inner_level(const Layer& layer, int d) const;
   double touched_when(const Layer& layer, double level, int d) const;
   double stuck_to(double t, double place) const;
@@ -101,7 +106,7 @@ class RimMotion {
   std::vector<TimeStep> kept_;
   /// Of stuck_to(), the last one while layers stay as they are: rates and margins ask again.
   struct Answer {
-    double t = -infinity, place = 0, depth = 0;
+    double t = -infinity, place = 0, depth = 0, when = -infinity;
   };
   mutable Answer touched_;
   double clear_since_ = 0;

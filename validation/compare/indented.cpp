@@ -25,8 +25,8 @@ namespace {
 using indenter::Friction;
 using indenter::HalfSpace;
 
-// For curves to look at, and for figures that are compared.
-constexpr double drawn_error = 1e-6, compared_error = 1e-11;
+// For figures that are compared.
+constexpr double compared_error = 1e-11;
 
 // Relative, of the force at rest.
 constexpr double quadrature = 1e-10;
@@ -45,7 +45,8 @@ FrictionCurve indenter_curve(const Problem& problem, std::string name, bool own)
   FrictionCurve curve{std::move(name), own, indenter_ratios(), {}};
   std::vector<double> velocities;
   for (const double ratio : curve.ratios) velocities.push_back(ratio * critical_velocity(problem));
-  for (const auto& point : indenter::friction_curve(HalfSpace(problem), velocities, drawn_error))
+  for (const auto& point :
+       indenter::friction_curve(HalfSpace(problem), velocities, indenter::drawn_tolerance))
     curve.friction.push_back(point.friction ? point.friction->ratio : no_friction);
   return curve;
 }

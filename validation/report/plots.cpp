@@ -121,9 +121,12 @@ std::vector<Figure> friction_plot(const Problem& problem, std::optional<double> 
   const Scale scale = scale_for(end, "m/s");
   figures::FigureSeries series;
   std::vector<double> ratios(velocities.size(), std::nan(""));
-  friction.curve(velocities, [&](std::size_t i, const simulation::PassingPoint& point) {
-    if (point.state != nullptr) ratios[i] = point.state->friction_ratio;
-  });
+  friction.curve(
+      velocities,
+      [&](std::size_t i, const simulation::PassingPoint& point) {
+        if (point.state != nullptr) ratios[i] = point.state->friction_ratio;
+      },
+      indenter::drawn_tolerance);
   for (std::size_t i = 0; i < velocities.size(); ++i)
     series.points.push_back({velocities[i] * scale.factor, ratios[i], ""});
   Figure figure;
