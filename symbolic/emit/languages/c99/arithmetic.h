@@ -55,9 +55,14 @@ static inline THE_dd THE_dd_root(THE_dd a) {
 }
 static inline int THE_within(double limit, double x) { return x <= limit && x * limit >= 1.0; }
 //: wide
-/* times 2^e, for numbers out of range */
+/* times 2^e, for numbers out of range; calls, as that is where hardly anyone goes */
+#if defined __GNUC__
+#define THE_CALLED static __attribute__((noinline, unused))
+#else
+#define THE_CALLED static inline
+#endif
 typedef struct { THE_dd t; long e; } THE_wide;
-static inline THE_wide THE_wide_scaled(THE_dd t, long s) {
+THE_CALLED THE_wide THE_wide_scaled(THE_dd t, long s) {
   THE_wide x = {t, -100000};
   if (t.hi == 0.0 || !isfinite(t.hi)) return x;
   x.e = s + ilogb(t.hi);
@@ -69,13 +74,13 @@ static inline THE_wide THE_wide_of(double x) { return THE_wide_scaled(THE_dd_of(
 static inline THE_dd THE_wide_over(THE_wide a, long s) { return THE_dd_number(scalbln(a.t.hi, a.e - s), scalbln(a.t.lo, a.e - s)); }
 static inline double THE_wide_rounded(THE_wide a) { return scalbln(a.t.hi, a.e); }
 static inline THE_wide THE_wide_negated(THE_wide a) { return THE_wide_scaled(THE_dd_negated(a.t), a.e); }
-static inline THE_wide THE_wide_add(THE_wide a, THE_wide b) {
+THE_CALLED THE_wide THE_wide_add(THE_wide a, THE_wide b) {
   const long e = a.e > b.e ? a.e : b.e;
   return THE_wide_scaled(THE_dd_add(THE_wide_over(a, e), THE_wide_over(b, e)), e);
 }
-static inline THE_wide THE_wide_mul(THE_wide a, THE_wide b) { return THE_wide_scaled(THE_dd_mul(a.t, b.t), a.e + b.e); }
-static inline THE_wide THE_wide_div(THE_wide a, THE_wide b) { return THE_wide_scaled(THE_dd_div(a.t, b.t), a.e - b.e); }
-static inline THE_wide THE_wide_root(THE_wide a) {
+THE_CALLED THE_wide THE_wide_mul(THE_wide a, THE_wide b) { return THE_wide_scaled(THE_dd_mul(a.t, b.t), a.e + b.e); }
+THE_CALLED THE_wide THE_wide_div(THE_wide a, THE_wide b) { return THE_wide_scaled(THE_dd_div(a.t, b.t), a.e - b.e); }
+THE_CALLED THE_wide THE_wide_root(THE_wide a) {
   const long e = a.e & ~1L;
   return a.t.hi == 0.0 ? a : THE_wide_scaled(THE_dd_root(THE_wide_over(a, e)), e / 2);
 }

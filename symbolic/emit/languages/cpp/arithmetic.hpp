@@ -50,18 +50,23 @@ struct Twofold {  // hi + lo; operations err by less than 16 u^2 of their terms'
   friend Twofold sqrt(Twofold a) { return root(a, std::sqrt(a.hi)); }
   explicit operator double() const { return hi; }
 };
-struct Wide : Twofold {  // times 2^e, for numbers out of range
+struct Wide : Twofold {  // times 2^e, for numbers out of range; calls, as that is where hardly anyone goes
   long e;
   Wide(double x) : Wide(Twofold(x)) {}
-  Wide(Twofold a, long s = 0) : Twofold(a), e(a.hi == 0 || !std::isfinite(a.hi) ? -100000 : s + std::ilogb(a.hi)) {
+  [[gnu::noinline]] Wide(Twofold a, long s = 0)
+      : Twofold(a), e(a.hi == 0 || !std::isfinite(a.hi) ? -100000 : s + std::ilogb(a.hi)) {
     if (e != -100000) hi = std::scalbln(a.hi, s - e), lo = std::scalbln(a.lo, s - e);
   }
   Twofold times(long s) const { return {std::scalbln(hi, e + s), std::scalbln(lo, e + s)}; }
   friend Wide operator-(Wide a) { return {-Twofold(a), a.e}; }
-  friend Wide operator+(Wide a, Wide b) { return a.e < b.e ? b + a : Wide(a.times(-a.e) + b.times(-a.e), a.e); }
-  friend Wide operator*(Wide a, Wide b) { return {Twofold(a) * Twofold(b), a.e + b.e}; }
-  friend Wide operator/(Wide a, Wide b) { return {Twofold(a) / Twofold(b), a.e - b.e}; }
-  friend Wide sqrt(Wide a) { return a.hi == 0 ? a : Wide{sqrt(a.times(-(a.e & ~1L))), (a.e & ~1L) / 2}; }
+  [[gnu::noinline]] friend Wide operator+(Wide a, Wide b) {
+    return a.e < b.e ? b + a : Wide(a.times(-a.e) + b.times(-a.e), a.e);
+  }
+  [[gnu::noinline]] friend Wide operator*(Wide a, Wide b) { return {Twofold(a) * Twofold(b), a.e + b.e}; }
+  [[gnu::noinline]] friend Wide operator/(Wide a, Wide b) { return {Twofold(a) / Twofold(b), a.e - b.e}; }
+  [[gnu::noinline]] friend Wide sqrt(Wide a) {
+    return a.hi == 0 ? a : Wide{sqrt(a.times(-(a.e & ~1L))), (a.e & ~1L) / 2};
+  }
   explicit operator double() const { return std::scalbln(hi, e); }
 };
 inline double head(Twofold x) { return x.hi; }
@@ -205,10 +210,11 @@ inline Result evaluate_polynomials(const Parameters& p) {
          (sum + Twofold(-a)).hi == b && left(std::fma(c, c, -(c * c)), 0x1p-104, 0x1p-51) &&
          left(product.lo, 0x1p-104, 0x1p-51);
 }
+[[gnu::cold, gnu::noinline]] Result wide_result(const Parameters& p, auto&... partial) { return evaluate<Wide>(p, partial...); }
 template <class T> [[gnu::noinline]] Result result(const Parameters& p, auto&... partial) {
   static const bool exact = is_exact();
   Result r = evaluate<T>(p, partial...);
-  if (r.unsafe != 0) return result<Wide>(p, partial...);
+  if (r.unsafe != 0) r = wide_result(p, partial...);
   if (!exact) r.relative_error_bound = HUGE_VAL;
   return r;
 }

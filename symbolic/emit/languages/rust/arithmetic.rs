@@ -95,6 +95,7 @@ fn scaled(mut x: f64, mut e: i64) -> f64 {
 /// times 2^e, for numbers out of range
 #[derive(Clone, Copy)]
 struct Wide { t: Dd, e: i64 }
+#[inline(never)]
 fn wide_scaled(t: Dd, s: i64) -> Wide {
     if t.hi == 0.0 || !t.hi.is_finite() {
         return Wide { t, e: -100000 };
@@ -107,12 +108,16 @@ fn wide_of(x: f64) -> Wide { wide_scaled(dd_of(x), 0) }
 fn wide_over(a: Wide, s: i64) -> Dd { dd_number(scaled(a.t.hi, a.e - s), scaled(a.t.lo, a.e - s)) }
 fn wide_rounded(a: Wide) -> f64 { scaled(a.t.hi, a.e) }
 fn wide_negated(a: Wide) -> Wide { wide_scaled(dd_negated(a.t), a.e) }
+#[inline(never)]
 fn wide_add(a: Wide, b: Wide) -> Wide {
     let e = a.e.max(b.e);
     wide_scaled(dd_add(wide_over(a, e), wide_over(b, e)), e)
 }
+#[inline(never)]
 fn wide_mul(a: Wide, b: Wide) -> Wide { wide_scaled(dd_mul(a.t, b.t), a.e + b.e) }
+#[inline(never)]
 fn wide_div(a: Wide, b: Wide) -> Wide { wide_scaled(dd_div(a.t, b.t), a.e - b.e) }
+#[inline(never)]
 fn wide_root(a: Wide) -> Wide {
     let e = a.e & !1;
     if a.t.hi == 0.0 { a } else { wide_scaled(dd_root(wide_over(a, e)), e / 2) }
