@@ -44,7 +44,7 @@ const Choices<ResultForm> forms{
 int print_comparison(const Problem& problem, const Problem& other, const FormatChoice& chosen) {
   if (chosen.format == Format::system)
     throw InputError(argument("equal"), "the format " + chosen.system, "text or json");
-  const symbolic::Comparison comparison = symbolic::compare(problem, other);
+  const symbolic::Equality comparison = symbolic::compare(problem, other);
   fmt::print("{}", chosen.format == Format::json ? symbolic::json_of(comparison)
                                                  : symbolic::text_of(comparison));
   return comparison.equal ? 0 : 1;

@@ -20,8 +20,8 @@ namespace vcrit::app {
 
 namespace {
 
-using design::Answer;
-using design::Question;
+using design::DesignAnswer;
+using design::DesignQuestion;
 using design::Sought;
 
 struct SolveOptions {
@@ -50,7 +50,7 @@ bool is_sought(const Symbol& symbol, Sought sought, const Problem& problem) {
          (symbol == problem->angular_frequency.symbol || symbol == frequency_symbol);
 }
 
-void refuse_setting_of_sought(const SolveOptions& options, const Question& question) {
+void refuse_setting_of_sought(const SolveOptions& options, const DesignQuestion& question) {
   for (const auto& [name, value] : question.problem->source->settings)
     if (is_sought(question.problem->source->named.at(name), question.sought, question.problem))
       throw InputError({"--set"}, fmt::format("{} with --for {}", name, options.sought),
@@ -62,7 +62,7 @@ std::optional<double> end_of_range(const std::string& text, Sought sought, const
   return parse_quantity(text, dimension_of(sought), {option});
 }
 
-Question question_of(const SolveOptions& options) {
+DesignQuestion question_of(const SolveOptions& options) {
   const Sought sought = sought_by(options.sought);
   const bool speed = sought == Sought::velocity;
   if (options.velocity.empty() != speed)
@@ -72,7 +72,7 @@ Question question_of(const SolveOptions& options) {
       speed ? 0 : parse_quantity(options.velocity, Dimension::velocity, {"--velocity"});
   const auto from = end_of_range(options.from, sought, "--from");
   const auto to = end_of_range(options.to, sought, "--to");
-  const Question question{
+  const DesignQuestion question{
       options.scene.read(sought == Sought::frequency ? SceneOptions::Frequency::varied
                                                      : SceneOptions::Frequency::of_the_scene),
       sought,
@@ -86,8 +86,8 @@ Question question_of(const SolveOptions& options) {
 }
 
 struct Solution {
-  const Question& question;
-  const Answer& answer;
+  const DesignQuestion& question;
+  const DesignAnswer& answer;
 
   friend void fields(record::Fields& f, const Solution& it) {
     const auto& [question, answer] = it;
@@ -108,7 +108,7 @@ struct Solution {
   }
 };
 
-std::string solved_words(const Question& question, const Answer& answer, int digits) {
+std::string solved_words(const DesignQuestion& question, const DesignAnswer& answer, int digits) {
   const std::string value = rounded(answer.value, unit_of(question.sought), digits);
   const std::string speed = rounded(answer.velocity, "m/s", digits);
   const std::string ratio = rounded(question.friction_ratio, "", digits);
@@ -128,7 +128,7 @@ std::string solved_words(const Question& question, const Answer& answer, int dig
   throw Bug("something sought without a sentence");
 }
 
-std::string closed_words(const Answer& answer, int digits) {
+std::string closed_words(const DesignAnswer& answer, int digits) {
   if (!(answer.largest_amplitude > 0)) return "at no amplitude";
   std::string text =
       fmt::format("below an amplitude of {}", rounded(answer.largest_amplitude, "m", digits));
@@ -137,7 +137,7 @@ std::string closed_words(const Answer& answer, int digits) {
   return text;
 }
 
-void print_solve_text(const Question& question, const Answer& answer, int digits) {
+void print_solve_text(const DesignQuestion& question, const DesignAnswer& answer, int digits) {
   const auto in_unit = [&](double value, int shown) {
     return rounded(value, unit_of(question.sought), shown);
   };
@@ -161,7 +161,7 @@ void print_solve_text(const Question& question, const Answer& answer, int digits
                                     question.samples));
 }
 
-void warn_of_answer(Question& question, const std::string& warning) {
+void warn_of_answer(DesignQuestion& question, const std::string& warning) {
   warn(warning);
   std::vector<std::string> warnings = question.problem->source->warnings;
   warnings.push_back(warning);
@@ -169,8 +169,8 @@ void warn_of_answer(Question& question, const std::string& warning) {
 }
 
 void run_solve(const SolveOptions& options) {
-  Question question = question_of(options);
-  const Answer answer = design::solve(question);
+  DesignQuestion question = question_of(options);
+  const DesignAnswer answer = design::solve(question);
   for (const std::string& warning : unstated_error(question.problem))
     warn_of_answer(question, warning);
   // The smallest frequency is one because all below it were asked.

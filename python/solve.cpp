@@ -33,13 +33,13 @@ std::optional<double> end_of_range(const std::string& text, Sought sought, const
 }
 
 /// The smallest frequency is one because all below it were asked.
-std::optional<std::string> warning_of_range(const design::Question& question,
-                                            const design::Answer& answer) {
+std::optional<std::string> warning_of_range(const design::DesignQuestion& question,
+                                            const design::DesignAnswer& answer) {
   if (question.sought != Sought::frequency) return std::nullopt;
   return beyond_fitted_range(question.problem, two_pi * answer.from, two_pi * answer.value);
 }
 
-py::dict as_dict(const design::Question& question, const design::Answer& answer) {
+py::dict as_dict(const design::DesignQuestion& question, const design::DesignAnswer& answer) {
   using py::arg;
   return py::dict(arg("sought") = to_text(question.sought), arg("value") = answer.value,
                   arg("unit") = unit_of(question.sought), arg("value_error") = answer.value_error,
@@ -58,16 +58,16 @@ py::tuple solved(const Problem& problem, const std::string& name, double frictio
                  const std::string& velocity, const std::string& from, const std::string& to,
                  int samples) {
   const Sought sought = sought_named(name);
-  design::Question question{problem,
-                            sought,
-                            friction_ratio,
-                            0,
-                            end_of_range(from, sought, "from"),
-                            end_of_range(to, sought, "to"),
-                            samples};
+  design::DesignQuestion question{problem,
+                                  sought,
+                                  friction_ratio,
+                                  0,
+                                  end_of_range(from, sought, "from"),
+                                  end_of_range(to, sought, "to"),
+                                  samples};
   if (!velocity.empty())
     question.velocity = parse_quantity(velocity, Dimension::velocity, argument("velocity"));
-  const design::Answer answer = [&] {
+  const design::DesignAnswer answer = [&] {
     const OthersRun others_run;
     return design::solve(question);
   }();

@@ -23,9 +23,9 @@ struct Cycle {
   double middle = 0;  ///< of the longest slip, time after the cycle's start
 };
 
-class Search {
+class CvodeSearch {
  public:
-  Search(const simulation::System& system, double velocity, const CvodeOptions& options)
+  CvodeSearch(const simulation::System& system, double velocity, const CvodeOptions& options)
       : system_(system, velocity),
         integrator_(system_, options.formula, options.relative_tolerance),
         most_periods_(options.most_periods),
@@ -64,12 +64,12 @@ class Search {
 };
 
 // An event function may touch zero where its motion has only begun. Then it does not fall.
-bool Search::event_is_real(int event) const {
+bool CvodeSearch::event_is_real(int event) const {
   const Row function = event_functions(system_, state_.motion)[static_cast<std::size_t>(event)];
   return system_.rate(function, state_.motion, state_.y, state_.t) < 0;
 }
 
-void Search::switch_motion(int event) {
+void CvodeSearch::switch_motion(int event) {
   double side = state_.motion == Motion::backslip ? -1 : 1;
   if (state_.motion == Motion::stick) {
     side = event == 0 ? 1 : -1;
@@ -81,7 +81,7 @@ void Search::switch_motion(int event) {
   integrator_.restart(state_);
 }
 
-Cycle Search::march(double duration) {
+Cycle CvodeSearch::march(double duration) {
   if (++periods_ > most_periods_) throw NotFinished("not finished: too many periods");
   const double begin = state_.t, end = begin + duration;
   const double impulse = state_.y(state_.y.size() - 1);
@@ -108,7 +108,7 @@ Cycle Search::march(double duration) {
 }
 
 // The change that is left is the sum of a geometric series, as far as the last two periods tell.
-bool Search::settled(double last, double ratio) {
+bool CvodeSearch::settled(double last, double ratio) {
   const double change = std::abs(ratio - last);
   const double factor = change < last_change_ ? change / last_change_ : 1;
   const bool done = change == 0 || (factor < 1 && change * factor / (1 - factor) < tolerance_);
@@ -116,7 +116,7 @@ bool Search::settled(double last, double ratio) {
   return done;
 }
 
-CvodeSteady Search::by_marching() {
+CvodeSteady CvodeSearch::by_marching() {
   last_change_ = 0;
   Cycle cycle = march(two_pi);
   for (double last = 2; periods_ < 4 || !settled(last, cycle.ratio);) {
@@ -126,7 +126,7 @@ CvodeSteady Search::by_marching() {
   return answer(cycle);
 }
 
-Search::Return Search::period_from(const VectorXd& y) {
+CvodeSearch::Return CvodeSearch::period_from(const VectorXd& y) {
   state_.t = phase_;
   state_.motion = Motion::slip;
   state_.y << y, 0;
@@ -142,7 +142,7 @@ Search::Return Search::period_from(const VectorXd& y) {
 // Of the change over a period. The step is larger than the square root of the tolerance, which
 // would balance noise with the map's bend: along slow branches the change is small against its
 // noise.
-MatrixXd Search::derivative(const VectorXd& y, const VectorXd& change) {
+MatrixXd CvodeSearch::derivative(const VectorXd& y, const VectorXd& change) {
   const double step = std::cbrt(tolerance_);
   MatrixXd result(y.size(), y.size());
   for (Index i = 0; i < y.size(); ++i) {
@@ -153,7 +153,7 @@ MatrixXd Search::derivative(const VectorXd& y, const VectorXd& change) {
   return result;
 }
 
-bool Search::improve(VectorXd& y, Return& now, const MatrixXd& map) {
+bool CvodeSearch::improve(VectorXd& y, Return& now, const MatrixXd& map) {
   const VectorXd step = map.completeOrthogonalDecomposition().solve(-now.change);
   for (double share = 1; share > 0.05; share /= 2) {
     const VectorXd next = y + share * step;
@@ -166,7 +166,7 @@ bool Search::improve(VectorXd& y, Return& now, const MatrixXd& map) {
   return false;
 }
 
-CvodeSteady Search::by_newton() {
+CvodeSteady CvodeSearch::by_newton() {
   Cycle cycle;
   for (int i = 0; i < 5; ++i) cycle = march(two_pi);
   phase_ = std::fmod(cycle.middle, two_pi);
@@ -193,7 +193,7 @@ CvodeSteady Search::by_newton() {
 
 CvodeSteady cvode_steady_state(const simulation::System& system, double velocity,
                                const CvodeOptions& options) {
-  Search search(system, velocity, options);
+  CvodeSearch search(system, velocity, options);
   return options.newton ? search.by_newton() : search.by_marching();
 }
 

@@ -13,7 +13,7 @@ namespace vcrit::design {
 
 namespace {
 
-std::string needs_indentation(const Question& question, double times) {
+std::string needs_indentation(const DesignQuestion& question, double times) {
   if (question.problem->load)
     return fmt::format(
         "a load of more than {:.6g} N with the amplitude in proportion ({:.4g} times as much)",
@@ -24,7 +24,9 @@ std::string needs_indentation(const Question& question, double times) {
       *question.problem->indentation.value * times, times);
 }
 
-double omega_of(const Question& question) { return *question.problem->angular_frequency.value; }
+double omega_of(const DesignQuestion& question) {
+  return *question.problem->angular_frequency.value;
+}
 
 std::string reach_of(const Failure& f) {
   const Sought sought = f.question.sought;
@@ -79,13 +81,13 @@ std::string ratio_over_amplitudes(const Failure& f) {
   std::string text = fmt::format("no {} amplitude reaches a friction ratio of {} at {:.6g} m/s: {}",
                                  f.range.to > 0.9 * most ? "admissible" : "searched",
                                  f.question.friction_ratio, f.question.velocity, least_found(f));
-  Question slower{with_amplitude(f.question.problem, f.range.to),
-                  Sought::velocity,
-                  f.question.friction_ratio,
-                  0,
-                  {},
-                  {},
-                  f.question.samples};
+  DesignQuestion slower{with_amplitude(f.question.problem, f.range.to),
+                        Sought::velocity,
+                        f.question.friction_ratio,
+                        0,
+                        {},
+                        {},
+                        f.question.samples};
   try {
     const double velocity = solve(slower).value;
     text += fmt::format(". At an amplitude of {:.6g} m it takes a velocity of at most {:.6g} m/s",
@@ -125,13 +127,13 @@ std::string ratio_over_frequencies(const Failure& f) {
       "mean",
       limit);
   try {
-    const Answer answer = solve({with_angular_frequency(f.question.problem, omega),
-                                 Sought::amplitude,
-                                 f.question.friction_ratio,
-                                 f.question.velocity,
-                                 {},
-                                 {},
-                                 f.question.samples});
+    const DesignAnswer answer = solve({with_angular_frequency(f.question.problem, omega),
+                                       Sought::amplitude,
+                                       f.question.friction_ratio,
+                                       f.question.velocity,
+                                       {},
+                                       {},
+                                       f.question.samples});
     text += fmt::format(". At that frequency an amplitude of {:.6g} m reaches it", answer.value);
   } catch (const ModelError&) {
     text += ". At that frequency no admissible amplitude reaches it either";

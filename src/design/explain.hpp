@@ -9,7 +9,7 @@
 namespace vcrit::design {
 
 struct Failure {
-  const Question& question;
+  const DesignQuestion& question;
   const NormalContact& contact;
   const SearchRange& range;
   std::optional<double> least;  ///< the least ratio that was found

@@ -22,7 +22,7 @@ class Searching {
  public:
   Searching(const Measured& measured, double wanted) : measured_(measured), wanted_(wanted) {}
 
-  Search along(const std::vector<double>& places) {
+  ReachSearch along(const std::vector<double>& places) {
     std::vector<double> excess;
     for (std::size_t i = 0; i < places.size() && !search_.reach; ++i) {
       excess.push_back(above(places[i]));
@@ -73,12 +73,13 @@ class Searching {
 
   const Measured& measured_;
   double wanted_;
-  Search search_;
+  ReachSearch search_;
 };
 
 }  // namespace
 
-Search first_reach(const Measured& measured, const std::vector<double>& places, double wanted) {
+ReachSearch first_reach(const Measured& measured, const std::vector<double>& places,
+                        double wanted) {
   return Searching(measured, wanted).along(places);
 }
 

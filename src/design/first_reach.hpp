@@ -17,7 +17,7 @@ struct Reach {
   double sample = 0;  ///< the last place before both
 };
 
-struct Search {
+struct ReachSearch {
   std::optional<Reach> reach;
   std::optional<double> least;  ///< the least value met; nothing without any answer
   double least_at = 0;
@@ -27,6 +27,6 @@ struct Search {
 
 /// `places` in the order of the search, rising or falling. What is lower than `wanted` only between
 /// two neighbours without showing as a dip of the samples is missed.
-Search first_reach(const Measured& measured, const std::vector<double>& places, double wanted);
+ReachSearch first_reach(const Measured& measured, const std::vector<double>& places, double wanted);
 
 }  // namespace vcrit::design

@@ -26,7 +26,7 @@ constexpr double slowest = 1e-9;
 // Down to the largest speed over this they are tried evenly, below by even ratios.
 constexpr double even_down_to = 20;
 
-void refuse_empty(const Question& question, double from, double to) {
+void refuse_empty(const DesignQuestion& question, double from, double to) {
   if (from < to && std::isfinite(to)) return;
   throw InputError(argument("from, to"),
                    fmt::format("from {} to {} {}", from, to, unit_of(question.sought)),
@@ -50,7 +50,7 @@ std::vector<double> even_ratios(double a, double b, int samples) {
 
 // v* grows in proportion to the amplitude, the creep does not: below some amplitude friction is
 // full.
-SearchRange amplitudes(const Question& question, const NormalContact& contact) {
+SearchRange amplitudes(const DesignQuestion& question, const NormalContact& contact) {
   const Problem problem = with_amplitude(question.problem, 1);
   const Problem closed = staying_closed(problem);  // as it is at all amplitudes of the range
   const double omega = problem.values().at(problem->angular_frequency.symbol);
@@ -74,7 +74,7 @@ SearchRange amplitudes(const Question& question, const NormalContact& contact) {
 }
 
 // Each stretch gets its part of the samples by its width, and enough to show its shape.
-SearchRange frequencies(const Question& question, const NormalContact& contact) {
+SearchRange frequencies(const DesignQuestion& question, const NormalContact& contact) {
   const auto omega = question.problem->angular_frequency.value;
   if (!omega && !(question.from && question.to))
     throw InputError(argument("for frequency"), "a scene without a frequency",
@@ -108,7 +108,7 @@ SearchRange frequencies(const Question& question, const NormalContact& contact) 
                      "take a smaller amplitude, or another range: `from`, `to`");
   range.largest_velocity = found.largest_velocity;
   range.largest_at = found.largest_at / two_pi;
-  for (const Stretch& part : found.parts) {
+  for (const FrequencyRange& part : found.parts) {
     if (!(part.from < part.to)) continue;
     const double width = std::log(part.to / part.from) / std::log(range.to / range.from);
     const int samples = std::max(32, static_cast<int>(std::ceil(width * question.samples)));
@@ -157,7 +157,7 @@ std::vector<double> falling_speeds(double to, double end, int samples) {
 constexpr double room_for_ringing = 2;
 
 // Downwards, as friction rises with the load.
-SearchRange forces(const Question& question, const NormalContact& contact) {
+SearchRange forces(const DesignQuestion& question, const NormalContact& contact) {
   const Problem problem = with_load(question.problem, 1);
   const Values& values = problem.values();
   const double least = contact.least_force(values.at(question.problem->amplitude.symbol),
@@ -177,7 +177,7 @@ SearchRange forces(const Question& question, const NormalContact& contact) {
 
 // From the fastest on, which is worth most: finely where friction begins to fall, then by even
 // ratios. Above the limit it is full.
-SearchRange velocities(const Question& question) {
+SearchRange velocities(const DesignQuestion& question) {
   const double limit = reduced_up_to(question.problem);
   SearchRange range{
       question.from.value_or(0), std::min(question.to.value_or(limit), limit), {}, 0, 0};
@@ -197,7 +197,7 @@ SearchRange velocities(const Question& question) {
 
 }  // namespace
 
-SearchRange range_of(const Question& question, const NormalContact& contact) {
+SearchRange range_of(const DesignQuestion& question, const NormalContact& contact) {
   switch (question.sought) {
     case Sought::amplitude:
       return amplitudes(question, contact);

@@ -20,6 +20,6 @@ struct SearchRange {
 };
 
 /// Throws InputError for an empty range, ModelError where nothing in it is admissible.
-SearchRange range_of(const Question& question, const NormalContact& contact);
+SearchRange range_of(const DesignQuestion& question, const NormalContact& contact);
 
 }  // namespace vcrit::design

@@ -24,12 +24,12 @@ constexpr double part_for_slope = 1e-4;
 
 class Solving {
  public:
-  explicit Solving(const Question& question)
+  explicit Solving(const DesignQuestion& question)
       : question_(question), contact_(checked(question).problem), range_(range()) {}
 
-  Answer run() {
+  DesignAnswer run() {
     for (const std::vector<double>& row : range_.rows) {
-      const Search search =
+      const ReachSearch search =
           first_reach([&](double value) { return ratio(value); }, row, question_.friction_ratio);
       count(search);
       if (search.reach && unanswered_ > 0) fail(search.reach->at);
@@ -44,7 +44,7 @@ class Solving {
                                   unanswered_, first_reason_, reached_at}));
   }
 
-  static const Question& checked(const Question& question) {
+  static const DesignQuestion& checked(const DesignQuestion& question) {
     if (!(question.friction_ratio > 0 && question.friction_ratio < 1))
       throw InputError(argument("friction_ratio"), fmt::format("{}", question.friction_ratio),
                        "a ratio between 0 and 1, both excluded");
@@ -81,7 +81,7 @@ class Solving {
   }
 
   /// With a value of what is sought, as it is searched for.
-  static Problem problem_of(const Question& question, double value) {
+  static Problem problem_of(const DesignQuestion& question, double value) {
     switch (question.sought) {
       case Sought::amplitude:
         return with_amplitude(question.problem, value);
@@ -116,7 +116,7 @@ class Solving {
     }
   }
 
-  void count(const Search& search) {
+  void count(const ReachSearch& search) {
     evaluations_ += search.evaluations;
     unanswered_ += search.unanswered;
     if (search.least && (!least_ || *search.least < *least_))
@@ -133,9 +133,9 @@ class Solving {
     return width + std::abs(step) * state.friction_ratio_error / rise;
   }
 
-  Answer answer(const Reach& reach, double row_start) const {
+  DesignAnswer answer(const Reach& reach, double row_start) const {
     const Problem problem = problem_at(reach.at);
-    Answer result;
+    DesignAnswer result;
     result.value = reach.at;
     result.velocity = velocity_at(reach.at);
     result.critical_velocity = critical_onset(problem).contact_velocity;
@@ -156,7 +156,7 @@ class Solving {
     return result;
   }
 
-  Question question_;
+  DesignQuestion question_;
   NormalContact contact_;
   SearchRange range_;
   std::optional<double> least_;
@@ -212,6 +212,6 @@ Dimension dimension_of(Sought sought) {
 
 bool is_largest(Sought sought) { return sought == Sought::force || sought == Sought::velocity; }
 
-Answer solve(const Question& question) { return Solving(question).run(); }
+DesignAnswer solve(const DesignQuestion& question) { return Solving(question).run(); }
 
 }  // namespace vcrit::design

@@ -30,7 +30,7 @@ inline constexpr std::array all_sought{Sought::amplitude, Sought::frequency, Sou
 /// What is narrower than a part in 400 of the range is missed; a simulation takes some 0.1 ms.
 inline constexpr int usual_samples = 400;
 
-struct Question {
+struct DesignQuestion {
   Problem problem;  ///< its value of what is sought is not used, but for the range of frequencies
   Sought sought = Sought::amplitude;
   double friction_ratio = 0;       ///< wanted: mu_macro/mu0 at most this, in (0, 1)
@@ -41,7 +41,7 @@ struct Question {
   std::size_t effort = simulation::effort_of_answer;  ///< of all steady states together
 };
 
-struct Answer {
+struct DesignAnswer {
   double value = 0;  ///< in unit_of(sought): reaches the wanted ratio
   double value_error =
       0;                  ///< estimate: by this much less (of a load or speed: more) may do as well
@@ -58,6 +58,6 @@ struct Answer {
 
 /// Throws InputError for a wrong question, ModelError outside the model and where nothing in the
 /// range reaches the ratio: it says why, and what would.
-Answer solve(const Question& question);
+DesignAnswer solve(const DesignQuestion& question);
 
 }  // namespace vcrit::design

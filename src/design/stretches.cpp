@@ -64,10 +64,10 @@ class Looking {
           samples[i].excess < samples[i + 1].excess)
         continue;
       std::uintmax_t steps = 100;
-      const double x = boost::math::tools::brent_find_minima(
-                           [&](double at) { return -excess(at); }, samples[i - 1].x,
-                           samples[i + 1].x, 40, steps)
-                           .first;
+      const double x =
+          boost::math::tools::brent_find_minima([&](double at) { return -excess(at); },
+                                                samples[i - 1].x, samples[i + 1].x, 40, steps)
+              .first;
       if (x < samples[i].x)
         result.insert(result.end() - 1, sample(x));
       else if (x > samples[i].x)
@@ -84,7 +84,7 @@ class Looking {
   }
 
   // exp(log(omega)) is not omega to the last bit, so the ends of the range are taken as they are.
-  void collect(const std::vector<Sample>& samples, const Stretch& range) {
+  void collect(const std::vector<Sample>& samples, const FrequencyRange& range) {
     bool inside = false;
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const bool reduces = samples[i].excess > 0;

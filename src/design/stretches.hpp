@@ -11,15 +11,15 @@
 
 namespace vcrit::design {
 
-struct Stretch {
+struct FrequencyRange {
   double from = 0, to = 0;  ///< rad/s
 };
 
 struct Stretches {
-  std::vector<Stretch> parts;   ///< rising
-  double largest_velocity = 0;  ///< the largest limit that was met, m/s; may be infinite
-  double largest_at = 0;        ///< where, rad/s
-  bool closed = true;           ///< whether the contact was met closed anywhere
+  std::vector<FrequencyRange> parts;  ///< rising
+  double largest_velocity = 0;        ///< the largest limit that was met, m/s; may be infinite
+  double largest_at = 0;              ///< where, rad/s
+  bool closed = true;                 ///< whether the contact was met closed anywhere
 };
 
 /// The share of the largest amplitude at an angular frequency (rad/s): below 1 the contact is

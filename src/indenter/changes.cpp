@@ -11,7 +11,7 @@ namespace vcrit::indenter {
 namespace {
 
 constexpr double edge_width = 1e-12;  // of the edge
-constexpr int most_changes = 8;  // between two samples
+constexpr int most_changes = 8;       // between two samples
 
 struct Sample {
   double x = 0;
@@ -19,9 +19,9 @@ struct Sample {
 };
 
 // Between two samples of different course, each found by bisection.
-class Search {
+class ChangeSearch {
  public:
-  Search(const HalfSpace& half_space, double velocity)
+  ChangeSearch(const HalfSpace& half_space, double velocity)
       : half_space_(half_space), velocity_(velocity), narrow_(edge_width * half_space.edge()) {}
 
   Sample sample(double x) const { return {x, course(half_space_, x, velocity_)}; }
@@ -85,7 +85,7 @@ std::vector<double> changes(const HalfSpace& half_space, double velocity) {
   std::vector<double> places;
   for (std::size_t i = 0; i + 1 < known.size(); ++i)
     for (const double part : parts()) places.push_back(known[i] + (known[i + 1] - known[i]) * part);
-  const Search search(half_space, velocity);
+  const ChangeSearch search(half_space, velocity);
   std::vector<Sample> all(places.size());
   tbb::parallel_for(std::size_t{0}, all.size(),
                     [&](std::size_t i) { all[i] = search.sample(places[i]); });

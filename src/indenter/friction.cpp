@@ -150,14 +150,14 @@ simulation::SteadyState steady_state_of(const Friction& friction) {
   return state;
 }
 
-std::vector<CurvePoint> friction_curve(const HalfSpace& half_space,
-                                       std::span<const double> velocities, double tolerance) {
-  std::vector<CurvePoint> curve(velocities.size());
+std::vector<IndentedPoint> friction_curve(const HalfSpace& half_space,
+                                          std::span<const double> velocities, double tolerance) {
+  std::vector<IndentedPoint> curve(velocities.size());
   FrictionOfSpeed friction_at;
   try {
     friction_at = friction_of(half_space, tolerance);
   } catch (const ModelError& error) {
-    for (CurvePoint& point : curve) point.reason = error.what();
+    for (IndentedPoint& point : curve) point.reason = error.what();
     return curve;
   }
   tbb::parallel_for(std::size_t{0}, curve.size(), [&](std::size_t i) {

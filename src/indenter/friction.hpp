@@ -38,7 +38,7 @@ Friction friction(const HalfSpace& half_space, double velocity, double tolerance
 /// As that of one contact: of the whole, without events.
 simulation::SteadyState steady_state_of(const Friction& friction);
 
-struct CurvePoint {
+struct IndentedPoint {
   std::optional<Friction> friction;
   std::string reason;  ///< why there is none
 };
@@ -52,9 +52,9 @@ struct Pressed {
 Pressed pressed(const HalfSpace& half_space);
 
 /// One point for each velocity, in their order. What is the same at all of them is found once.
-std::vector<CurvePoint> friction_curve(const HalfSpace& half_space,
-                                       std::span<const double> velocities,
-                                       double tolerance = usual_tolerance);
+std::vector<IndentedPoint> friction_curve(const HalfSpace& half_space,
+                                          std::span<const double> velocities,
+                                          double tolerance = usual_tolerance);
 
 struct Cell {
   double x = 0;                   ///< m

@@ -140,7 +140,7 @@ bool take_newton_step(Around& around, slong sure, RootInterval& interval) {
 }
 
 /// An interval to look at, between powers of two as long as there are some inside.
-struct Stretch {
+struct Isolating {
   Dyadic low, high;
   slong low_power, high_power;
   int halvings;
@@ -204,10 +204,10 @@ std::optional<std::vector<RootInterval>> PositiveRoots::isolated() const {
   // Cauchy's bounds.
   const slong lowest = bits_of(polynomial_, 0) - largest - 2;
   const slong highest = largest - bits_of(polynomial_, last) + 2;
-  std::vector<Stretch> left{
+  std::vector<Isolating> left{
       {Dyadic::power_of_two(lowest), Dyadic::power_of_two(highest), lowest, highest, 0}};
   while (!left.empty()) {
-    const Stretch all = std::move(left.back());
+    const Isolating all = std::move(left.back());
     left.pop_back();
     const int roots = most_roots(all.low, all.high);
     if (roots == 1) found.push_back({all.low, all.high});

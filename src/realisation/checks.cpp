@@ -15,8 +15,8 @@ using Eigen::Index;
 constexpr double least_fault = 1e-3;
 
 template <class Size>
-std::vector<Stretch> stretches_of(Index count, const Size& size) {
-  std::vector<Stretch> found;
+std::vector<RowRange> stretches_of(Index count, const Size& size) {
+  std::vector<RowRange> found;
   for (Index i = 0; i < count; ++i) {
     const double wrong = size(i);
     if (!(wrong > 0)) continue;
@@ -27,7 +27,7 @@ std::vector<Stretch> stretches_of(Index count, const Size& size) {
   return found;
 }
 
-std::vector<Stretch> beyond_noise(const Rows& rows, double noise, double sign) {
+std::vector<RowRange> beyond_noise(const Rows& rows, double noise, double sign) {
   // Beyond 5 standard deviations lies one row in 3.5 million.
   const double least = std::max(5 * noise, least_fault);
   return stretches_of(rows.size(), [&](Index i) {
@@ -40,14 +40,14 @@ const Receptance::Row& row_of(const Receptance& table, Index place) {
   return table.rows[static_cast<std::size_t>(place)];
 }
 
-std::string lines_of(const Receptance& table, const Stretch& stretch) {
+std::string lines_of(const Receptance& table, const RowRange& stretch) {
   const auto &first = row_of(table, stretch.first), &last = row_of(table, stretch.last);
   if (stretch.first == stretch.last) return fmt::format("at {:.4g} rad/s", first.omega);
   return fmt::format("from {:.4g} to {:.4g} rad/s ({} rows)", first.omega, last.omega,
                      stretch.last - stretch.first + 1);
 }
 
-std::string place_of(const Receptance& table, const Stretch& stretch) {
+std::string place_of(const Receptance& table, const RowRange& stretch) {
   return to_text(Place{table.file, row_of(table, stretch.first).line});
 }
 
@@ -69,22 +69,24 @@ void mark_runs(const CausalFit& fit, double least, const Part& part, std::vector
 
 }  // namespace
 
-std::vector<Stretch> giving_energy(const Rows& rows, double noise) {
+std::vector<RowRange> giving_energy(const Rows& rows, double noise) {
   return beyond_noise(rows, noise, 1);
 }
 
-std::vector<Stretch> taking_energy(const Rows& rows, double noise) {
+std::vector<RowRange> taking_energy(const Rows& rows, double noise) {
   return beyond_noise(rows, noise, -1);
 }
 
-std::vector<Stretch> not_causal(const CausalFit& fit, double noise) {
+std::vector<RowRange> not_causal(const CausalFit& fit, double noise) {
   const auto count = static_cast<double>(fit.left.size());
   // |left| beyond x noise has the chance exp(-x^2/2) in each row.
   const double level = std::max(noise * std::sqrt(2 * std::log(1000 * count)), least_fault);
   std::vector<bool> marked(static_cast<std::size_t>(fit.left.size()));
   const double least = std::max(2 * noise, least_fault);
-  mark_runs(fit, least, [](const Complex& left) { return left.real(); }, marked);
-  mark_runs(fit, least, [](const Complex& left) { return left.imag(); }, marked);
+  mark_runs(
+      fit, least, [](const Complex& left) { return left.real(); }, marked);
+  mark_runs(
+      fit, least, [](const Complex& left) { return left.imag(); }, marked);
   return stretches_of(fit.left.size(), [&](Index i) {
     const double size = std::abs(fit.left[i]);
     return size > level || marked[static_cast<std::size_t>(i)] ? size : 0;
@@ -110,13 +112,13 @@ std::vector<Unresolved> unresolved(const Rows& rows, const Structure& structure,
   return found;
 }
 
-std::string energy_words(const Receptance& table, const Stretch& stretch) {
+std::string energy_words(const Receptance& table, const RowRange& stretch) {
   return fmt::format(
       "{}: Im R > 0 {}: a drive cannot give energy (exp(+i omega t): losses make Im negative)",
       place_of(table, stretch), lines_of(table, stretch));
 }
 
-std::string causality_words(const Receptance& table, const Stretch& stretch, double noise) {
+std::string causality_words(const Receptance& table, const RowRange& stretch, double noise) {
   return fmt::format("{}: R {} differs by {:.2g} % from any causal response, noise {:.2g} %",
                      place_of(table, stretch), lines_of(table, stretch), 100 * stretch.size,
                      100 * noise);

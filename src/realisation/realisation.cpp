@@ -17,16 +17,16 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-Index rows_in(const std::vector<Stretch>& stretches) {
+Index rows_in(const std::vector<RowRange>& stretches) {
   Index count = 0;
-  for (const Stretch& each : stretches) count += each.last - each.first + 1;
+  for (const RowRange& each : stretches) count += each.last - each.first + 1;
   return count;
 }
 
 /// The standard deviation of the causal fit's misfit, but for rows at fault.
-double noise_of(const CausalFit& fit, const std::vector<Stretch>& faults) {
+double noise_of(const CausalFit& fit, const std::vector<RowRange>& faults) {
   double sum = fit.left.squaredNorm();
-  for (const Stretch& each : faults)
+  for (const RowRange& each : faults)
     sum -= fit.left.segment(each.first, each.last - each.first + 1).squaredNorm();
   const auto numbers = 2 * static_cast<double>(fit.left.size() - rows_in(faults));
   const auto used = 4 * static_cast<double>(fit.poles.size());
@@ -38,8 +38,8 @@ double noise_of(const CausalFit& fit, const std::vector<Stretch>& faults) {
 Realisation::Realisation(const Receptance& table, Body body)
     : rows_(rows_of(table)), first_(table.rows.front().omega), last_(table.rows.back().omega) {
   judge_rows(table);
-  const Search found = search(rows_, noise_, table.order,
-                              body == Body::heavy ? Damping::coupled : Damping::full);
+  const FoundStructures found =
+      search(rows_, noise_, table.order, body == Body::heavy ? Damping::coupled : Damping::full);
   uncertainty_.emplace(rows_, found, noise_);
   structure_ = structure_of(found.best.shape, found.best.parameters);
   judge_fit(table);
@@ -69,11 +69,11 @@ void Realisation::judge_rows(const Receptance& table) {
   const auto faults = not_causal(causal, robust);
   noise_ = std::max(robust, noise_of(causal, faults));
   const auto sources = giving_energy(rows_, noise_);
-  for (const Stretch& each : sources) warnings_.push_back(energy_words(table, each));
-  for (const Stretch& each : faults) warnings_.push_back(causality_words(table, each, noise_));
+  for (const RowRange& each : sources) warnings_.push_back(energy_words(table, each));
+  for (const RowRange& each : faults) warnings_.push_back(causality_words(table, each, noise_));
   // Few rows at fault only spoil the fit; many are what the table says.
   if (10 * rows_in(faults) > rows_.size()) return;
-  for (const Stretch& each : faults)
+  for (const RowRange& each : faults)
     rows_.weight.segment(each.first, each.last - each.first + 1).setZero();
 }
 
@@ -82,8 +82,8 @@ void Realisation::judge_fit(const Receptance& table) {
   Index worst = 0, counted = 0;
   for (Index i = 0; i < rows_.size(); ++i) {
     if (std::abs(rows_.value[i]) == 0) continue;
-    const double miss = std::abs(structure_.response(rows_.omega[i]) - rows_.value[i]) /
-                        std::abs(rows_.value[i]);
+    const double miss =
+        std::abs(structure_.response(rows_.omega[i]) - rows_.value[i]) / std::abs(rows_.value[i]);
     if (miss > misfit_) misfit_ = miss, worst = i;
     if (rows_.weight[i] > 0) sum += miss * miss, ++counted;
   }
@@ -96,8 +96,8 @@ void Realisation::judge_fit(const Receptance& table) {
     warnings_.push_back(fmt::format(
         "{}: the structure that fits best misses R by {:.2g} % at {:.4g} rad/s, noise {:.2g} %: "
         "friction below v* rests on a poor fit of the drive",
-        to_text(Place{table.file, table.rows[static_cast<std::size_t>(worst)].line}),
-        100 * misfit_, rows_.omega[worst] * rows_.frequency_unit, 100 * noise_));
+        to_text(Place{table.file, table.rows[static_cast<std::size_t>(worst)].line}), 100 * misfit_,
+        rows_.omega[worst] * rows_.frequency_unit, 100 * noise_));
 }
 
 // A mode so far below the rows that the noise hides it there; damped, so that it comes to rest.

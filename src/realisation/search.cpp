@@ -18,11 +18,13 @@ using Eigen::VectorXd;
 
 // Numbers of rounding's size are all the same misfit.
 constexpr double least_misfit = 1e-13;
-// What the least tau leaves of a spring that does not relax (keep_in_reach), which no mode is to mend.
+// What the least tau leaves of a spring that does not relax (keep_in_reach), which no mode is to
+// mend.
 constexpr double least_telling = 1e-9;
 
-// Twice Schwarz's price of a parameter: misfits of rounded numbers are no normal deviates (their size
-// steps tenfold with the decade), and a mode too many costs more than one too few that noise hides.
+// Twice Schwarz's price of a parameter: misfits of rounded numbers are no normal deviates (their
+// size steps tenfold with the decade), and a mode too many costs more than one too few that noise
+// hides.
 double criterion_of(const Shape& shape, const Rows& rows, double sum) {
   const auto numbers = static_cast<double>(2 * rows.size());
   return numbers * std::log(std::max(sum / numbers, least_telling * least_telling)) +
@@ -31,11 +33,10 @@ double criterion_of(const Shape& shape, const Rows& rows, double sum) {
 
 Minimum minimised(const Rows& rows, const Shape& shape, const VectorXd& start, int steps,
                   double enough) {
-  const LeastSquares problem{
-      [&](const VectorXd& at, VectorXd& residual, Eigen::MatrixXd* slope) {
-        residuals(shape, rows, at, residual, slope);
-      },
-      [&](VectorXd& at) { keep_in_reach(shape, rows, at); }};
+  const LeastSquares problem{[&](const VectorXd& at, VectorXd& residual, Eigen::MatrixXd* slope) {
+                               residuals(shape, rows, at, residual, slope);
+                             },
+                             [&](VectorXd& at) { keep_in_reach(shape, rows, at); }};
   return minimise(problem, start, steps, enough);
 }
 
@@ -195,7 +196,8 @@ Candidate refined(const Rows& rows, const Shape& shape, const VectorXd& paramete
   return {shape, minimum.parameters, minimum.sum, criterion_of(shape, rows, minimum.sum)};
 }
 
-Search search(const Rows& rows, double noise, std::optional<Index> order, Damping most_general) {
+FoundStructures search(const Rows& rows, double noise, std::optional<Index> order,
+                       Damping most_general) {
   Orders orders(rows, noise, most_general);
   if (order && (!orders.holds(*order) || *order > most_order))
     throw InputError({}, fmt::format("order = {} for {} rows", *order, rows.size()),
@@ -211,7 +213,7 @@ Search search(const Rows& rows, double noise, std::optional<Index> order, Dampin
     idle = now.criterion < before ? 0 : idle + 1;
     before = std::min(before, now.criterion);
   }
-  Search result{least(orders.all(), order), {}};
+  FoundStructures result{least(orders.all(), order), {}};
   for (const Candidate& each : orders.all())
     if (allowed(each, result.best)) result.rivals.push_back(each);
   return result;

@@ -18,22 +18,22 @@ struct Candidate {
   double criterion = 0;  ///< of Schwarz
 };
 
-struct Search {
+struct FoundStructures {
   Candidate best;
   /// The others of its order, of one more and one less that the misfit allows.
   std::vector<Candidate> rivals;
 };
 
-/// `noise`: of real and imaginary part each, relative, below which no misfit says anything; `order`:
-/// the modes that the structure is to have, where it is given; `most_general`: what its damping may
-/// be. Throws InputError for an order that the rows cannot hold.
-Search search(const Rows& rows, double noise, std::optional<Eigen::Index> order,
-              Damping most_general);
+/// `noise`: of real and imaginary part each, relative, below which no misfit says anything;
+/// `order`: the modes that the structure is to have, where it is given; `most_general`: what its
+/// damping may be. Throws InputError for an order that the rows cannot hold.
+FoundStructures search(const Rows& rows, double noise, std::optional<Eigen::Index> order,
+                       Damping most_general);
 
 /// From these parameters on, over these rows.
 Candidate refined(const Rows& rows, const Shape& shape, const Eigen::VectorXd& parameters,
                   int steps);
 
-constexpr Eigen::Index most_fitted_modes = 8;   ///< where the order is not given
+constexpr Eigen::Index most_fitted_modes = 8;  ///< where the order is not given
 
 }  // namespace vcrit::realisation

@@ -30,7 +30,7 @@ Rows with_noise(const Rows& rows, const Structure& structure, double noise, Devi
 
 }  // namespace
 
-Uncertainty::Uncertainty(const Rows& rows, const Search& found, double noise)
+Uncertainty::Uncertainty(const Rows& rows, const FoundStructures& found, double noise)
     : rows_(thinned(rows, most_rows)),
       shape_(found.best.shape),
       parameters_(found.best.parameters),
@@ -55,9 +55,9 @@ Uncertainty::Uncertainty(const Rows& rows, const Search& found, double noise)
 // 3 standard deviations, and a little since the steps have not come to their end.
 double Uncertainty::allowed_sum() const { return 1.02 * sum_ + 10 * spread_ * spread_; }
 
-// Where the rows end early the misfit is a valley: along some directions of the parameters it hardly
-// rises, and what is far along one is another drive beyond the rows. To both sides, as far as three
-// standard deviations would be if R were linear, and down to the floor again.
+// Where the rows end early the misfit is a valley: along some directions of the parameters it
+// hardly rises, and what is far along one is another drive beyond the rows. To both sides, as far
+// as three standard deviations would be if R were linear, and down to the floor again.
 void Uncertainty::drift() {
   constexpr Index directions = 8;
   constexpr int steps = 8;
@@ -76,8 +76,8 @@ void Uncertainty::drift() {
   }
 }
 
-// Of the rows on both sides the misfit or the noise, whichever is greater: three rows, since next to
-// an antiresonance the nearest ones have hardly any size to be off by.
+// Of the rows on both sides the misfit or the noise, whichever is greater: three rows, since next
+// to an antiresonance the nearest ones have hardly any size to be off by.
 double Uncertainty::misfit_beside(double omega) const {
   constexpr std::ptrdiff_t beside = 3;
   const auto above = std::lower_bound(rows_.omega.begin(), rows_.omega.end(), omega);
@@ -92,11 +92,11 @@ double Uncertainty::misfit_beside(double omega) const {
 }
 
 // A mode at omega with phi^2 = 1, less what the structure's own parameters take of it: its size in
-// the rows bounds phi^2, at three standard deviations. Above the rows it is a compliance to them, of
-// which there is no more than the structure has.
-// A mode at omega with phi^2 = 1, less what the structure's own parameters take of it: its size in
-// the rows bounds phi^2, at three standard deviations. Above the rows it is a compliance to them, of
-// which there is no more than the structure has.
+// the rows bounds phi^2, at three standard deviations. Above the rows it is a compliance to them,
+// of which there is no more than the structure has. A mode at omega with phi^2 = 1, less what the
+// structure's own parameters take of it: its size in the rows bounds phi^2, at three standard
+// deviations. Above the rows it is a compliance to them, of which there is no more than the
+// structure has.
 Uncertainty::Hidden Uncertainty::hidden_at(double omega) const {
   const Mode mode{omega, hidden_damping, 1};
   const Index count = rows_.size();
@@ -108,9 +108,7 @@ Uncertainty::Hidden Uncertainty::hidden_at(double omega) const {
   Hidden found{mode, others_.solve(column)};
   const double shown = 3 * spread_ / (column - slope_ * found.taken).norm();
   found.mode.share =
-      omega > rows_.last()
-          ? std::min(shown, largest_compliance_above() * omega * omega)
-          : shown;
+      omega > rows_.last() ? std::min(shown, largest_compliance_above() * omega * omega) : shown;
   return found;
 }
 
@@ -169,8 +167,8 @@ Deviation Uncertainty::at(double omega) const {
 
 double Uncertainty::error(double omega) const {
   const Deviation found = at(omega);
-  // Found on the 82 chains of tests/data/two_mass_chains.csv, each as four tables: with half of them
-  // up to one stated error in thirty is too small, all of those beyond the rows.
+  // Found on the 82 chains of tests/data/two_mass_chains.csv, each as four tables: with half of
+  // them up to one stated error in thirty is too small, all of those beyond the rows.
   constexpr double of_rivals = 2, of_noise = 4;
   return found.misfit + of_rivals * found.rivals + of_noise * found.noise + found.hidden;
 }

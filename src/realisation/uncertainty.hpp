@@ -19,7 +19,7 @@ struct Deviation {
 
 class Uncertainty {
  public:
-  Uncertainty(const Rows& rows, const Search& found, double noise);
+  Uncertainty(const Rows& rows, const FoundStructures& found, double noise);
 
   Deviation at(double omega) const;
   /// What R may be off there, those together: with caution where the rows end.
@@ -27,8 +27,8 @@ class Uncertainty {
 
   /// Refits to rows with other noise of the same size.
   const std::vector<Structure>& refits() const { return refits_; }
-  /// Others that fit as well: of another order or damping, and of parameters along which the rows tell
-  /// hardly anything.
+  /// Others that fit as well: of another order or damping, and of parameters along which the rows
+  /// tell hardly anything.
   const std::vector<Structure>& rivals() const { return rivals_; }
   /// Fitted anew with a mode at omega in it, as large as three standard deviations let it be; none
   /// where no such fit is found.

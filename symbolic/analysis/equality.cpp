@@ -94,12 +94,12 @@ bool small(const Problem& problem, const Model& model) {
 }
 
 /// What is the same at all points, proved where it can be.
-Comparison equal(Comparison::Scope scope, bool proved, const Model& a, const Model& b) {
-  Comparison result;
+Equality equal(Equality::Scope scope, bool proved, const Model& a, const Model& b) {
+  Equality result;
   result.equal = true;
   result.scope = scope;
   if (proved) return result;
-  result.evidence = Comparison::Evidence::residues;
+  result.evidence = Equality::Evidence::residues;
   result.chance_of_error = std::pow(chance_of_agreement(a, b), points);
   return result;
 }
@@ -157,10 +157,10 @@ void refuse_two_tables(const Problem& a, const Problem& b) {
 
 /// Values at a point of that number.
 std::map<Symbol, double> values_at(std::uint64_t point, const std::set<Symbol>& symbols,
-                                   Comparison::Scope scope, const Problem& a, const Problem& b) {
+                                   Equality::Scope scope, const Problem& a, const Problem& b) {
   auto values = small_numbers(symbols, point);
   // Elements with values of their own show their difference somewhere over these decades.
-  if (scope == Comparison::Scope::values)
+  if (scope == Equality::Scope::values)
     values[a->angular_frequency.symbol] *= std::pow(10, point % 16);
   for (const Problem* problem : {&a, &b})
     if (const Receptance* measured = (*problem)->receptance())
@@ -191,11 +191,11 @@ Problem with_ratio_of(const Problem& a, const Problem& b) {
   return is_element ? b : with_isotropic(b, *ratio);
 }
 
-Comparison different(Comparison::Scope scope, const Problem& a, const Problem& b) {
-  Comparison result;
+Equality different(Equality::Scope scope, const Problem& a, const Problem& b) {
+  Equality result;
   result.scope = scope;
-  std::set<Symbol> symbols = compared_symbols(a, scope == Comparison::Scope::symbols);
-  symbols.merge(compared_symbols(b, scope == Comparison::Scope::symbols));
+  std::set<Symbol> symbols = compared_symbols(a, scope == Equality::Scope::symbols);
+  symbols.merge(compared_symbols(b, scope == Equality::Scope::symbols));
   double largest = shown_by_doubles;
   for (std::uint64_t point = 0; point < tried_points && largest < clear_difference; ++point) {
     const auto values = values_at(point, symbols, scope, a, b);
@@ -219,10 +219,10 @@ Comparison different(Comparison::Scope scope, const Problem& a, const Problem& b
 
 }  // namespace
 
-Comparison compare(const Problem& a, const Problem& other) {
+Equality compare(const Problem& a, const Problem& other) {
   const AlgebraLock lock;
   const Problem b = with_ratio_of(a, other);
-  using Scope = Comparison::Scope;
+  using Scope = Equality::Scope;
   refuse_two_tables(a, b);
   for (const Problem* problem : {&a, &b})
     rules::require(rules::Question::formula_of_all_values, *problem);
@@ -242,11 +242,11 @@ Comparison compare(const Problem& a, const Problem& other) {
   return equal(Scope::values, proved, first, second);
 }
 
-std::string text_of(const Comparison& comparison) {
-  const bool symbols = comparison.scope == Comparison::Scope::symbols;
+std::string text_of(const Equality& comparison) {
+  const bool symbols = comparison.scope == Equality::Scope::symbols;
   std::string text = comparison.equal ? "equal: " : "different: ";
   text += symbols ? "v* as a function of all symbols" : "v* with the elements' values put in";
-  if (comparison.equal && comparison.evidence == Comparison::Evidence::canonical_form)
+  if (comparison.equal && comparison.evidence == Equality::Evidence::canonical_form)
     return text + "; both have one canonical form\n";
   if (comparison.equal)
     return text + "; the same residues at " + std::to_string(points) +
@@ -262,7 +262,7 @@ std::string text_of(const Comparison& comparison) {
   return text;
 }
 
-std::string json_of(const Comparison& comparison) {
+std::string json_of(const Equality& comparison) {
   return record::json_of(comparison).dump(2) + "\n";
 }
 

@@ -9,7 +9,7 @@
 
 namespace vcrit::symbolic {
 
-struct Comparison {
+struct Equality {
   enum class Scope {
     symbols,  ///< as functions of all symbols; equal names are one symbol
     values    ///< as functions of mu0, omega and du_z, with the elements' decimals put in
@@ -35,10 +35,10 @@ struct Comparison {
 /// Compares as functions of the symbols; if these differ and both scenes give values to all their
 /// elements, mass and ratio, as functions of omega with these. Throws ModelError where v* is no
 /// formula of either scene: where surfaces part.
-Comparison compare(const Problem& a, const Problem& other);
+Equality compare(const Problem& a, const Problem& other);
 
 /// What `vcrit derive A --equal B` prints.
-std::string text_of(const Comparison& comparison);
-std::string json_of(const Comparison& comparison);
+std::string text_of(const Equality& comparison);
+std::string json_of(const Equality& comparison);
 
 }  // namespace vcrit::symbolic

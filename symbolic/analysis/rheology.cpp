@@ -46,7 +46,7 @@ class SpectrumMaker {
       return add_given(*element);
     if (!is_rational(part)) return false;
     const Fraction k = stiffness_in_lowest_terms(part);
-    const Extremes ends = extremes(part);
+    const StiffnessExtremes ends = extremes(part);
     spectrum_.equilibrium += ends.equilibrium;
     spectrum_.damper += ends.damper;
     if (degree_in_s(k.denominator) > 2) return false;
@@ -181,7 +181,7 @@ Response response(const Network& network) {
 }
 
 // A spring-damper network has neither a pole at rest nor more than a damper's growth.
-Extremes extremes(const Network& network) {
+StiffnessExtremes extremes(const Network& network) {
   const AlgebraLock lock;
   const Fraction k = stiffness_in_lowest_terms(network);
   const ex under = coefficient(k.denominator, 0);

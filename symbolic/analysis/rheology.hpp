@@ -52,13 +52,13 @@ Response response(const Network& network);
 Fraction stiffness_in_lowest_terms(const Network& network);
 
 /// What a lasting load and a sudden one meet, in a network without masses.
-struct Extremes {
+struct StiffnessExtremes {
   Expression equilibrium;  ///< K(0) (N/m); 0 for what flows
   Expression viscosity;    ///< K(s)/s for s to 0 (N s/m), of what flows, else 0
   Expression glassy;       ///< K(s) for s to infinity (N/m), 0 beside a damper
   Expression damper;       ///< K(s)/s for s to infinity (N s/m), 0 without a direct damper
 };
 
-Extremes extremes(const Network& network);
+StiffnessExtremes extremes(const Network& network);
 
 }  // namespace vcrit::symbolic

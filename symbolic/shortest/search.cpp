@@ -24,9 +24,9 @@ int length(const Expressions& all, const ExLines& lines) {
   return operation * steps.operations() + std::min(steps.shared(), operation - 1);
 }
 
-class Search {
+class FormulaSearch {
  public:
-  explicit Search(Expressions& all) : all_(all) {}
+  explicit FormulaSearch(Expressions& all) : all_(all) {}
 
   void begin(const ExLines& start) { meet(start); }
 
@@ -88,7 +88,7 @@ int operations(const Expressions& all, const ExLines& lines) {
 
 ExLines shortest_of(Expressions& all, const std::vector<ExLines>& starts,
                     const SearchEffort& effort) {
-  Search search(all);
+  FormulaSearch search(all);
   for (const ExLines& start : starts) search.begin(start);
   search.run(effort);
   return search.best();

@@ -60,10 +60,10 @@ class Flattened {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_order_of_writing_does_not_matter) {
-  const Comparison found = compare(with_normal("k0 | (k1 - c1)"), with_normal("(c1 - k1) | k0"));
+  const Equality found = compare(with_normal("k0 | (k1 - c1)"), with_normal("(c1 - k1) | k0"));
   BOOST_TEST(found.equal);
-  BOOST_TEST((found.scope == Comparison::Scope::symbols));
-  BOOST_TEST((found.evidence == Comparison::Evidence::canonical_form));
+  BOOST_TEST((found.scope == Equality::Scope::symbols));
+  BOOST_TEST((found.evidence == Equality::Evidence::canonical_form));
   BOOST_TEST(found.chance_of_error == 0);
 }
 
@@ -81,22 +81,22 @@ BOOST_AUTO_TEST_CASE(parallel_and_chain_form_of_one_rheology) {
     scene.mass->value = 0.25;
     return scene;
   };
-  const Comparison equal = compare(given(parallel), given(chain("112")));
+  const Equality equal = compare(given(parallel), given(chain("112")));
   BOOST_TEST(equal.equal);
-  BOOST_TEST((equal.scope == Comparison::Scope::values));
-  BOOST_TEST((equal.evidence == Comparison::Evidence::canonical_form));
+  BOOST_TEST((equal.scope == Equality::Scope::values));
+  BOOST_TEST((equal.evidence == Equality::Evidence::canonical_form));
 
   const Scene near = given(chain("112.000001"));
-  const Comparison different = compare(given(parallel), near);
+  const Equality different = compare(given(parallel), near);
   BOOST_TEST(!different.equal);
-  BOOST_TEST((different.scope == Comparison::Scope::values));
+  BOOST_TEST((different.scope == Equality::Scope::values));
   BOOST_REQUIRE(different.counterexample.has_value());
   BOOST_TEST(different.counterexample->first != different.counterexample->second);
 }
 
 BOOST_AUTO_TEST_CASE(a_counterexample_is_one) {
   const Scene a = with_normal("k0 | (k1 - c1)"), b = with_normal("k1 | (k0 - c1)");
-  const Comparison found = compare(a, b);
+  const Equality found = compare(a, b);
   BOOST_TEST(!found.equal);
   BOOST_REQUIRE(found.counterexample.has_value());
   const auto nodal = [&found](Scene scene) {
@@ -134,9 +134,9 @@ BOOST_AUTO_TEST_CASE(random_networks_and_their_graphs) {
 BOOST_AUTO_TEST_CASE(a_body_is_a_mass_of_the_drive) {
   const std::string contact = "normal = \"k0 | (k1 - c1)\"\ntangential = \"kt | ct\"";
   const Scene body = test::scene_of(contact, "kd | cd", "m");
-  const Comparison found = compare(body, test::scene_of(contact, "mass(m) | kd | cd"));
+  const Equality found = compare(body, test::scene_of(contact, "mass(m) | kd | cd"));
   BOOST_TEST(found.equal);
-  BOOST_TEST((found.evidence == Comparison::Evidence::canonical_form));
+  BOOST_TEST((found.evidence == Equality::Evidence::canonical_form));
   BOOST_TEST(!compare(body, test::scene_of(contact, "kd - (mass(m) | cd)")).equal);
 }
 
@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(measured_drives_are_their_tables) {
   other.receptance.reset();
   other.drive = spring({"kd"});
   other.elements.emplace_back(Symbol{"kd"}, 2e6);
-  for (const Comparison& found : {compare(measured, other), compare(other, measured)}) {
+  for (const Equality& found : {compare(measured, other), compare(other, measured)}) {
     BOOST_TEST(!found.equal);
     BOOST_TEST(found.counterexample.has_value());
   }
@@ -158,10 +158,10 @@ BOOST_AUTO_TEST_CASE(measured_drives_are_their_tables) {
 }
 
 BOOST_AUTO_TEST_CASE(large_networks_are_compared_by_residues) {
-  const Comparison found =
+  const Equality found =
       compare(with_normal("prony(k0, k, tau, 100)"), with_normal("prony(k0, k, tau, 100)"));
   BOOST_TEST(found.equal);
-  BOOST_TEST((found.evidence == Comparison::Evidence::residues));
+  BOOST_TEST((found.evidence == Equality::Evidence::residues));
   BOOST_TEST(found.chance_of_error > 0);
   BOOST_TEST(found.chance_of_error < 1e-40);
   BOOST_TEST(

@@ -188,7 +188,7 @@ BOOST_AUTO_TEST_CASE(the_spectrum_is_that_of_the_numeric_relaxation_form) {
 
 BOOST_AUTO_TEST_CASE(rest_and_the_first_moment) {
   const auto texts = [](const std::string& expression) {
-    const Extremes e = extremes(network_of(expression));
+    const StiffnessExtremes e = extremes(network_of(expression));
     return std::vector<std::string>{to_text(e.equilibrium), to_text(e.viscosity), to_text(e.glassy),
                                     to_text(e.damper)};
   };

@@ -16,15 +16,15 @@ BOOST_AUTO_TEST_SUITE(test_solve)
 namespace {
 
 using namespace vcrit;
-using design::Answer;
-using design::Question;
+using design::DesignAnswer;
+using design::DesignQuestion;
 using design::Sought;
 using test::has;
 
 constexpr double turn = 2 * std::numbers::pi;
 
-Question question(const std::string& scene, Sought sought, double ratio, double velocity = 0,
-                  const Settings& settings = {}) {
+DesignQuestion question(const std::string& scene, Sought sought, double ratio, double velocity = 0,
+                        const Settings& settings = {}) {
   return {read_scene(VCRIT_SCENES "/" + scene, settings), sought, ratio, velocity, {}, {}};
 }
 
@@ -32,7 +32,7 @@ double ratio_of(const Problem& problem, double velocity) {
   return simulation::steady_state(simulation::system_of(problem), velocity).friction_ratio;
 }
 
-std::string refusal(const Question& asked) {
+std::string refusal(const DesignQuestion& asked) {
   return test::refusal<ModelError>([&] { design::solve(asked); });
 }
 
@@ -58,7 +58,7 @@ constexpr double close = 2e-13;
 
 BOOST_AUTO_TEST_CASE(an_elastic_contact_has_the_largest_speed_of_the_closed_form) {
   for (const auto& [vbar, g] : closed_form) {
-    const Answer answer =
+    const DesignAnswer answer =
         design::solve(question("elastic.toml", Sought::velocity, 1 - g / 3));  // du_z/u_z0 = 1/3
     BOOST_TEST(std::abs(answer.value / (vbar * elastic_velocity(0.1e-6)) - 1) < close / (1 - vbar));
     BOOST_TEST(answer.value_error < 1e-11 * answer.value);
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(an_elastic_contact_has_the_largest_speed_of_the_closed_form
 BOOST_AUTO_TEST_CASE(an_elastic_contact_has_the_smallest_amplitude_of_the_closed_form) {
   for (const auto& [vbar, g] : closed_form) {
     const double amplitude = 0.17e-6;
-    const Answer answer =
+    const DesignAnswer answer =
         design::solve(question("elastic.toml", Sought::amplitude, 1 - amplitude / 0.3e-6 * g,
                                vbar * elastic_velocity(amplitude)));
     BOOST_TEST(std::abs(answer.value / amplitude - 1) < close / (1 - vbar));
@@ -80,8 +80,8 @@ BOOST_AUTO_TEST_CASE(an_elastic_contact_has_the_smallest_amplitude_of_the_closed
 
 BOOST_AUTO_TEST_CASE(an_elastic_contact_has_the_smallest_frequency_of_the_closed_form) {
   for (const auto& [vbar, g] : closed_form) {
-    const Answer answer = design::solve(question("elastic.toml", Sought::frequency, 1 - g / 3,
-                                                 vbar * elastic_velocity(0.1e-6, 33e3)));
+    const DesignAnswer answer = design::solve(question("elastic.toml", Sought::frequency, 1 - g / 3,
+                                                       vbar * elastic_velocity(0.1e-6, 33e3)));
     BOOST_TEST(std::abs(answer.value / 33e3 - 1) < close / (1 - vbar));
   }
 }
@@ -96,7 +96,8 @@ BOOST_AUTO_TEST_CASE(the_error_is_that_of_the_ratio_where_friction_is_flat) {
                           {0.99999, 7.1619867631333718659e-11}};
   for (const auto& [vbar, g] : flat) {
     const double expected = vbar * elastic_velocity(0.1e-6);
-    const Answer answer = design::solve(question("elastic.toml", Sought::velocity, 1 - g / 3));
+    const DesignAnswer answer =
+        design::solve(question("elastic.toml", Sought::velocity, 1 - g / 3));
     BOOST_TEST(std::abs(answer.value - expected) <= answer.value_error + 0x1.8p-52 * expected);
   }
 }
@@ -107,11 +108,12 @@ BOOST_AUTO_TEST_CASE(one_per_cent_less_does_not_reach_it) {
   for (const char* name :
        {"kelvin.toml", "zener.toml", "prony.toml", "bridge.toml", "burgers.toml"}) {
     const Scene scene = read_scene(std::string(VCRIT_SCENES "/") + name);
-    const Answer speed = design::solve(question(name, Sought::velocity, 0.9));
+    const DesignAnswer speed = design::solve(question(name, Sought::velocity, 0.9));
     BOOST_TEST(ratio_of(scene, speed.value) <= 0.9);
     BOOST_TEST(ratio_of(scene, 1.01 * speed.value) > 0.9);
 
-    const Answer amplitude = design::solve(question(name, Sought::amplitude, 0.8, speed.value));
+    const DesignAnswer amplitude =
+        design::solve(question(name, Sought::amplitude, 0.8, speed.value));
     Scene other = scene;
     other.amplitude.value = amplitude.value;
     BOOST_TEST(ratio_of(other, speed.value) <= 0.8);
@@ -131,8 +133,8 @@ BOOST_AUTO_TEST_CASE(no_smaller_frequency_reaches_it_at_a_resonance) {
     double velocity, ratio;
   } cases[]{{0.004, 0.6}, {0.01, 0.6}, {0.01, 0.7}, {0.02, 0.7}};
   for (const auto& [velocity, ratio] : cases) {
-    const Question asked = question("kelvin.toml", Sought::frequency, ratio, velocity,
-                                    {{"cn", "2"}, {"ct", "1.6"}, {"amplitude", "0.15 um"}});
+    const DesignQuestion asked = question("kelvin.toml", Sought::frequency, ratio, velocity,
+                                          {{"cn", "2"}, {"ct", "1.6"}, {"amplitude", "0.15 um"}});
     int crossed = 0;
     bool was = false;
     double smallest = 0;
@@ -145,7 +147,7 @@ BOOST_AUTO_TEST_CASE(no_smaller_frequency_reaches_it_at_a_resonance) {
       was = reaches;
     }
     BOOST_TEST(crossed >= 2);  // else the scene does not try the search
-    const Answer answer = design::solve(asked);
+    const DesignAnswer answer = design::solve(asked);
     BOOST_TEST(answer.value <= smallest);
     BOOST_TEST(answer.value > smallest / step);
   }
@@ -198,12 +200,12 @@ BOOST_AUTO_TEST_CASE(frequencies_that_do_not_suffice_are_explained) {
 BOOST_AUTO_TEST_CASE(a_range_is_kept_and_what_is_sought_needs_no_value) {
   Scene scene = read_scene(VCRIT_SCENES "/elastic.toml");
   scene.angular_frequency.value.reset();
-  Question asked{scene, Sought::frequency, 0.8, 0.01, {}, {}};
+  DesignQuestion asked{scene, Sought::frequency, 0.8, 0.01, {}, {}};
   BOOST_CHECK_THROW(design::solve(asked), InputError);
   asked.from = 100e3, asked.to = 200e3;
   BOOST_TEST(has(refusal(asked), "from 100000 to 200000 Hz"));
   asked.from = 300e3, asked.to = 400e3;  // 238.9 kHz does already
-  const Answer answer = design::solve(asked);
+  const DesignAnswer answer = design::solve(asked);
   BOOST_TEST(answer.value == 300e3);
   BOOST_TEST(answer.at_start);
   asked.to = 200e3;
@@ -214,7 +216,7 @@ BOOST_AUTO_TEST_CASE(wrong_questions_are_refused) {
   for (const double ratio : {0.0, 1.0, -0.5, std::nan("")})
     BOOST_CHECK_THROW(design::solve(question("elastic.toml", Sought::velocity, ratio)), InputError);
   BOOST_CHECK_THROW(design::solve(question("elastic.toml", Sought::amplitude, 0.5, 0)), InputError);
-  Question few = question("elastic.toml", Sought::velocity, 0.9);
+  DesignQuestion few = question("elastic.toml", Sought::velocity, 0.9);
   few.samples = 2;
   BOOST_CHECK_THROW(design::solve(few), InputError);
   // From the lowest frequency on, which the table does not have.
@@ -232,7 +234,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_known_to_be_the_smallest_is_not_said_to_be) {
                                       .angular_frequency = 1,
                                       .amplitude = 0.5,
                                       .elements = {{"kn", 1}, {"k", 1}, {"c", 1}}});
-  Question asked{scene, Sought::amplitude, 0.9, 0.5 * (1 + 1e-9), {}, {}};
+  DesignQuestion asked{scene, Sought::amplitude, 0.9, 0.5 * (1 + 1e-9), {}, {}};
   const std::string said = refusal(asked);
   BOOST_TEST(has(said, "whether that is the smallest amplitude is not known"), said);
   BOOST_TEST(has(said, "creep ten million times faster"), said);
@@ -241,7 +243,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_known_to_be_the_smallest_is_not_said_to_be) {
 }
 
 BOOST_AUTO_TEST_CASE(the_bound_on_work_ends_a_search) {
-  Question asked = question("bridge.toml", Sought::velocity, 0.9);
+  DesignQuestion asked = question("bridge.toml", Sought::velocity, 0.9);
   asked.effort = 2000;
   BOOST_TEST(has(refusal(asked), "bound on the work for all steady states together"));
 }
@@ -272,8 +274,8 @@ BOOST_AUTO_TEST_CASE(speeds_of_a_contact_that_opens) {
                     {"kt1", 1000000}, {"ct1", 5},       {"kd", 800000}};
   for (const Known& known : {Known{kelvin, 2.11770218308818, 2.90363422227765774},
                              Known{zener, 0.1256295136006581, 0.136576710646946157}}) {
-    const Question asked{test::scene_of(known.scene), Sought::velocity, 0.999, 0, {}, {}};
-    const Answer answer = design::solve(asked);
+    const DesignQuestion asked{test::scene_of(known.scene), Sought::velocity, 0.999, 0, {}, {}};
+    const DesignAnswer answer = design::solve(asked);
     BOOST_TEST(std::abs(answer.value - known.velocity) <=
                answer.value_error + 1e-12 * known.velocity);
     BOOST_TEST(answer.value_error <= 1e-9 * known.velocity);

@@ -13,8 +13,8 @@ BOOST_AUTO_TEST_SUITE(test_solve_mount)
 namespace {
 
 using namespace vcrit;
-using design::Answer;
-using design::Question;
+using design::DesignAnswer;
+using design::DesignQuestion;
 using design::Sought;
 
 constexpr double turn = 2 * std::numbers::pi;
@@ -44,9 +44,8 @@ struct Machine {
   double opening(int sign) const {
     return std::sqrt((km + kn + sign * km * kn * amplitude / force) / mn);
   }
-  Answer solve(double ratio, double speed, double from, double to) const {
-    return design::solve(
-        {problem(), Sought::frequency, ratio, speed, from / turn, to / turn});
+  DesignAnswer solve(double ratio, double speed, double from, double to) const {
+    return design::solve({problem(), Sought::frequency, ratio, speed, from / turn, to / turn});
   }
 };
 
@@ -57,14 +56,13 @@ struct Machine {
 BOOST_AUTO_TEST_CASE(an_elastic_contact_has_the_frequency_of_the_closed_form) {
   constexpr struct {
     double vbar, g;
-  } closed_form[]{{0.1, 0.75717136015312994339},
-                  {0.5, 0.2014522033336686888},
-                  {0.9, 0.0073108103345282100357}};
+  } closed_form[]{
+      {0.1, 0.75717136015312994339}, {0.5, 0.2014522033336686888}, {0.9, 0.0073108103345282100357}};
   const Machine machine{0.2};
   for (const double omega : {0.7, 1.3, 2.1})
     for (const auto& [vbar, g] : closed_form) {
-      const Answer answer = machine.solve(1 - machine.share(omega) * g,
-                                          vbar * machine.velocity(omega), 0.1, 30);
+      const DesignAnswer answer =
+          machine.solve(1 - machine.share(omega) * g, vbar * machine.velocity(omega), 0.1, 30);
       BOOST_TEST(std::abs(turn * answer.value / omega - 1) < 2e-13 / (1 - vbar));
       BOOST_TEST(!answer.largest_frequency.has_value());
     }
@@ -75,7 +73,7 @@ BOOST_AUTO_TEST_CASE(an_elastic_contact_has_the_frequency_of_the_closed_form) {
 BOOST_AUTO_TEST_CASE(frequencies_at_which_the_contact_opens_are_left_out) {
   const Machine machine{0.7};
   BOOST_TEST(machine.opening(-1) == 1.67, boost::test_tools::tolerance(0.01));
-  const Answer above = machine.solve(0.5, 0.01, 2, 30);
+  const DesignAnswer above = machine.solve(0.5, 0.01, 2, 30);
   // d omega/omega = d share/share km kn U/(2 W mn omega^2) = 1.1e-7.
   BOOST_TEST(std::abs(turn * above.value / machine.opening(1) - 1) < 2e-7);
   BOOST_TEST(turn * above.value > machine.opening(1));

@@ -22,8 +22,8 @@ BOOST_AUTO_TEST_SUITE(test_solve_random)
 namespace {
 
 using namespace vcrit;
-using design::Answer;
-using design::Question;
+using design::DesignAnswer;
+using design::DesignQuestion;
 using design::Sought;
 using test::SceneText;
 
@@ -68,7 +68,7 @@ double ratio_of(const Problem& problem, double velocity) {
 }
 
 /// The scene with a value of what is sought, and its speed.
-double ratio_with(const Question& asked, double value) {
+double ratio_with(const DesignQuestion& asked, double value) {
   if (asked.sought == Sought::velocity) return ratio_of(asked.problem, value);
   return ratio_of(asked.sought == Sought::amplitude
                       ? design::with_amplitude(asked.problem, value)
@@ -77,8 +77,8 @@ double ratio_with(const Question& asked, double value) {
 }
 
 /// `reached`: a value that has the ratio that is asked for.
-void check(const Question& asked, double reached, Random& random) {
-  const Answer answer = design::solve(asked);
+void check(const DesignQuestion& asked, double reached, Random& random) {
+  const DesignAnswer answer = design::solve(asked);
   const double wanted = asked.friction_ratio, error = answer.state.friction_ratio_error;
   const double side = asked.sought == Sought::velocity ? 1 : -1;
   BOOST_TEST(ratio_with(asked, answer.value) <= wanted + error);
@@ -94,7 +94,7 @@ void check(const Question& asked, double reached, Random& random) {
   }
 }
 
-Question question(const Scene& scene, Sought sought, double ratio, double velocity) {
+DesignQuestion question(const Scene& scene, Sought sought, double ratio, double velocity) {
   return {scene, sought, ratio, velocity, {}, {}, samples};
 }
 
@@ -109,7 +109,7 @@ bool ask(const Scene& scene, Random& random) {
   check(question(scene, Sought::velocity, ratio, 0), velocity, random);
   if (opens(scene)) return true;
   check(question(scene, Sought::amplitude, ratio, velocity), *scene.amplitude.value, random);
-  Question frequency = question(scene, Sought::frequency, ratio, velocity);
+  DesignQuestion frequency = question(scene, Sought::frequency, ratio, velocity);
   const double here = *scene.angular_frequency.value / (two_turns / 2);
   frequency.from = 0.8 * here, frequency.to = 1.25 * here;
   check(frequency, here, random);
@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(a_tapping_contact) {
     const double part = std::cos(slip) / (slip + quarter);
     const double ratio = (part * (slip + quarter) * (slip + quarter) / 2 + 1 - std::sin(slip)) / 2;
     BOOST_TEST(std::abs(ratio_of(scene, part * critical) - ratio) <= 1e-13);
-    const Answer answer = design::solve(question(scene, Sought::velocity, ratio, 0));
+    const DesignAnswer answer = design::solve(question(scene, Sought::velocity, ratio, 0));
     BOOST_TEST(std::abs(answer.value / (part * critical) - 1) <= 1e-11);
     BOOST_TEST(answer.largest_amplitude == 0);
   }
@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(next_to_resonance_speeds_are_sought_where_friction_rises) {
     text.mass = mass;
     text.elements.back().second = mass == 1e-3 ? 1e7 : 9765625.0;
     const Scene scene = test::scene_of(text);
-    Question asked = question(scene, Sought::velocity, 0.85, 0);
+    DesignQuestion asked = question(scene, Sought::velocity, 0.85, 0);
     if (std::isinf(critical_onset(scene).contact_velocity)) {
       BOOST_TEST(test::has(test::refusal<ModelError>([&] { design::solve(asked); }),
                            "the search has no upper end"));
@@ -202,7 +202,7 @@ BOOST_AUTO_TEST_CASE(next_to_resonance_speeds_are_sought_where_friction_rises) {
     BOOST_TEST(test::has(test::refusal<ModelError>([&] { design::solve(asked); }),
                          "whether that is the largest velocity is not known"));
     asked.to = 0.1;
-    const Answer answer = design::solve(asked);
+    const DesignAnswer answer = design::solve(asked);
     BOOST_TEST(ratio_of(scene, answer.value) <= 0.85);
     BOOST_TEST(ratio_of(scene, answer.value * (1 + 1e-6)) > 0.85);
   }

@@ -79,7 +79,7 @@ inline Comparison comparison(const std::string& key, double expected) {
   return result;
 }
 
-inline CurvePoint curve_point(double ratio, double velocity) {
+inline ComparedPoint curve_point(double ratio, double velocity) {
   const double friction = ratio < 1 ? 1 - 0.4 * (1 - ratio) * (1 - ratio) : 1;
   return {ratio, ratio * velocity, friction, friction, 1e-12, ratio < 1 ? "stick-slip" : "sliding",
           {}};

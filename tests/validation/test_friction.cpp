@@ -15,8 +15,8 @@ using Outcome = Comparison::Outcome;
 
 namespace {
 
-std::vector<CurvePoint> curve() {
-  std::vector<CurvePoint> points;
+std::vector<ComparedPoint> curve() {
+  std::vector<ComparedPoint> points;
   for (const double ratio : {0.25, 0.5, 0.75, 1.1, 1.2})
     points.push_back(example::curve_point(ratio, 1.0));
   return points;
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(speeds_are_ordered_and_closer_together_near_one) {
 }
 
 BOOST_AUTO_TEST_CASE(both_starts_must_agree_everywhere) {
-  std::vector<CurvePoint> points = curve();
+  std::vector<ComparedPoint> points = curve();
   BOOST_TEST((outcome(compare_starts(points)) == Outcome::passed));
   points[2].from_rest += 1e-8;
   BOOST_TEST((outcome(compare_starts(points)) == Outcome::failed));
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(both_starts_must_agree_everywhere) {
 
 // Near resonance the simulator says that it loses digits: no more than those, at that speed alone.
 BOOST_AUTO_TEST_CASE(what_the_simulator_says_that_it_loses_is_no_disagreement) {
-  std::vector<CurvePoint> points = curve();
+  std::vector<ComparedPoint> points = curve();
   points[2].error = 1e-8;
   points[2].from_rest += 1.9e-8;
   BOOST_TEST((outcome(compare_starts(points)) == Outcome::passed));
@@ -83,8 +83,8 @@ BOOST_AUTO_TEST_CASE(what_the_simulator_says_that_it_loses_is_no_disagreement) {
 }
 
 BOOST_AUTO_TEST_CASE(the_closed_form_must_be_met) {
-  std::vector<CurvePoint> points = curve();
-  for (CurvePoint& point : points) point.closed_form = point.from_sliding;
+  std::vector<ComparedPoint> points = curve();
+  for (ComparedPoint& point : points) point.closed_form = point.from_sliding;
   BOOST_TEST((outcome(compare_closed_form(points)) == Outcome::passed));
   *points[3].closed_form -= 1e-8;
   BOOST_TEST((outcome(compare_closed_form(points)) == Outcome::failed));

@@ -21,7 +21,7 @@ using simulation::Start;
 // The simulator's promise for steady values, twice: the two starts may err in opposite directions.
 // Where it says that its errors are larger, near resonance, these twice.
 constexpr double curve_tolerance = 2e-9;
-double allowed_at_point(const CurvePoint& point) {
+double allowed_at_point(const ComparedPoint& point) {
   return std::max(curve_tolerance, 2 * point.error);
 }
 constexpr const char* curve_reason = "each steady value is promised to 10⁻⁹, and both may be off";
@@ -58,18 +58,18 @@ double end_of_stick(double begin, double ratio) {
 
 // As a share of what is allowed.
 template <class Value>
-const CurvePoint* worst_point(const std::vector<CurvePoint>& curve, Value difference) {
-  const auto severity = [&](const CurvePoint& point) {
+const ComparedPoint* worst_point(const std::vector<ComparedPoint>& curve, Value difference) {
+  const auto severity = [&](const ComparedPoint& point) {
     const double value = difference(point) / allowed_at_point(point);
     return std::isnan(value) ? infinity : value;
   };
   const auto worst = std::max_element(
       curve.begin(), curve.end(),
-      [&](const CurvePoint& a, const CurvePoint& b) { return severity(a) < severity(b); });
+      [&](const ComparedPoint& a, const ComparedPoint& b) { return severity(a) < severity(b); });
   return worst == curve.end() ? nullptr : &*worst;
 }
 
-std::string at(const CurvePoint& point) {
+std::string at(const ComparedPoint& point) {
   return fmt::format("worst at {:.4g} of the sliding threshold", point.ratio);
 }
 
@@ -84,7 +84,7 @@ Comparison curve_comparison(const char* key, const char* name, const char* refer
   return comparison;
 }
 
-void allow_at(Comparison& comparison, const CurvePoint& worst) {
+void allow_at(Comparison& comparison, const ComparedPoint& worst) {
   comparison.detail = at(worst);
   comparison.tolerance = allowed_at_point(worst);
   if (comparison.tolerance > curve_tolerance)
@@ -102,8 +102,8 @@ std::vector<double> curve_ratios() {
   return ratios;
 }
 
-CurvePoint friction_at(const simulation::System& system, double threshold, double ratio) {
-  CurvePoint point;
+ComparedPoint friction_at(const simulation::System& system, double threshold, double ratio) {
+  ComparedPoint point;
   point.ratio = ratio;
   point.velocity = ratio * threshold;
   const auto sliding = simulation::steady_state(system, point.velocity, Start::sliding);
@@ -125,11 +125,11 @@ double elastic_friction(double amplitude_ratio, double ratio) {
   return 1 - amplitude_ratio * taken;
 }
 
-Comparison compare_starts(const std::vector<CurvePoint>& curve) {
+Comparison compare_starts(const std::vector<ComparedPoint>& curve) {
   Comparison comparison =
       curve_comparison("starts", "friction curve, started from rest", "started from sliding");
-  const auto apart = [](const CurvePoint& p) { return std::abs(p.from_rest - p.from_sliding); };
-  if (const CurvePoint* worst = worst_point(curve, apart)) {
+  const auto apart = [](const ComparedPoint& p) { return std::abs(p.from_rest - p.from_sliding); };
+  if (const ComparedPoint* worst = worst_point(curve, apart)) {
     comparison.expected = worst->from_sliding;
     comparison.found = worst->from_rest;
     allow_at(comparison, *worst);
@@ -137,11 +137,13 @@ Comparison compare_starts(const std::vector<CurvePoint>& curve) {
   return comparison;
 }
 
-Comparison compare_closed_form(const std::vector<CurvePoint>& curve) {
+Comparison compare_closed_form(const std::vector<ComparedPoint>& curve) {
   Comparison comparison = curve_comparison("closed_form", "friction curve by simulation",
                                            "closed form, elastic contact");
-  const auto apart = [](const CurvePoint& p) { return std::abs(p.from_sliding - *p.closed_form); };
-  if (const CurvePoint* worst = worst_point(curve, apart)) {
+  const auto apart = [](const ComparedPoint& p) {
+    return std::abs(p.from_sliding - *p.closed_form);
+  };
+  if (const ComparedPoint* worst = worst_point(curve, apart)) {
     comparison.expected = *worst->closed_form;
     comparison.found = worst->from_sliding;
     allow_at(comparison, *worst);

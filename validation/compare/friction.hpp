@@ -14,7 +14,7 @@ namespace vcrit::validation {
 std::vector<double> curve_ratios();
 
 /// Friction at `ratio` x `threshold`, threshold in m/s. Throws ModelError (no steady state).
-CurvePoint friction_at(const simulation::System& system, double threshold, double ratio);
+ComparedPoint friction_at(const simulation::System& system, double threshold, double ratio);
 
 /// mu_macro/mu0 of an elastic contact under a rigid drive without mass at `ratio` = v0/v* > 0,
 /// with D = du_z/u_z0: 1 - D G(ratio), where stick begins at tau1 = pi + asin(ratio), ends at the
@@ -23,7 +23,7 @@ CurvePoint friction_at(const simulation::System& system, double threshold, doubl
 double elastic_friction(double amplitude_ratio, double ratio);
 
 /// The worst point of the curve against each rule.
-Comparison compare_starts(const std::vector<CurvePoint>& curve);
-Comparison compare_closed_form(const std::vector<CurvePoint>& curve);
+Comparison compare_starts(const std::vector<ComparedPoint>& curve);
+Comparison compare_closed_form(const std::vector<ComparedPoint>& curve);
 
 }  // namespace vcrit::validation

@@ -100,7 +100,7 @@ struct NormalForce {
 };
 
 /// Steady friction at one speed, come to from sliding and from rest.
-struct CurvePoint {
+struct ComparedPoint {
   double ratio = 0;                   ///< speed over the lowest speed of pure sliding
   double velocity = 0;                ///< m/s
   double from_sliding = 0;            ///< mu_macro/mu0
@@ -112,7 +112,7 @@ struct CurvePoint {
 
 /// One oscillation period of the steady motion.
 struct Cycle {
-  double ratio = 0, velocity = 0;  ///< as in CurvePoint
+  double ratio = 0, velocity = 0;  ///< as in ComparedPoint
   double friction_ratio = 0;
   std::string regime;
   std::vector<simulation::CyclePoint> points;
@@ -143,7 +143,7 @@ struct ReducedModel {
 
 /// Friction by one method beside the exact one.
 struct MethodPoint {
-  double ratio = 0;           ///< as in CurvePoint
+  double ratio = 0;           ///< as in ComparedPoint
   double friction_ratio = 0;  ///< mu_macro/mu0
   double difference = 0;      ///< |it less the exact method's|
   std::string reason;         ///< why there is none, else empty
@@ -255,7 +255,7 @@ struct SceneReport {
   std::vector<LimitLine> limits;
   std::string compiler;  ///< that compiled the generated evaluator, with version; else empty
   std::vector<Comparison> comparisons;
-  std::vector<CurvePoint> curve;     ///< by increasing speed; empty when nothing was simulated
+  std::vector<ComparedPoint> curve;  ///< by increasing speed; empty when nothing was simulated
   std::vector<MethodCurve> methods;  ///< beside the exact one, on the same curve
   std::optional<Cycle> cycle;
   FrequencyResponse response;

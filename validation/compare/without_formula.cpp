@@ -47,7 +47,7 @@ Comparison compare_rise(const SceneReport& report) {
   comparison.measure = Comparison::Measure::absolute;
   comparison.reason = "the errors of both friction ratios";
   for (std::size_t i = 0; i + 1 < report.curve.size(); ++i) {
-    const CurvePoint &slow = report.curve[i], &fast = report.curve[i + 1];
+    const ComparedPoint &slow = report.curve[i], &fast = report.curve[i + 1];
     comparison.found = std::max(comparison.found, slow.from_sliding - fast.from_sliding);
     comparison.tolerance = std::max(comparison.tolerance, slow.error + fast.error);
   }

@@ -33,7 +33,7 @@ std::optional<double> lowest_of(const SceneReport& report) {
 std::vector<Point> friction_points(const SceneReport& report) {
   std::vector<Point> points;
   if (const auto lowest = lowest_of(report)) points.push_back({0, *lowest, "at rest"});
-  for (const CurvePoint& point : report.curve)
+  for (const ComparedPoint& point : report.curve)
     points.push_back({point.velocity, point.from_sliding, point.regime});
   if (!report.indented) return points;
   for (const FrictionCurve& curve : report.indented->amplitudes)

@@ -70,7 +70,7 @@ record::Json unless_zero(const ex& value) {
 }
 
 record::Json extremes_record(const Network& network) {
-  const symbolic::Extremes extremes = symbolic::extremes(network);
+  const symbolic::StiffnessExtremes extremes = symbolic::extremes(network);
   return {{"equilibrium", unless_zero(extremes.equilibrium)},
           {"viscosity", unless_zero(extremes.viscosity)},
           {"glassy", unless_zero(extremes.glassy)},

@@ -10,7 +10,7 @@ namespace {
 
 struct ClaimRow {
   std::string_view key;
-  Claim claim;
+  ComparisonWords claim;
 };
 
 constexpr const char* same_formula = "the formula itself, Eq. (24)";
@@ -75,7 +75,7 @@ constexpr std::array claim_rows{
 
 }  // namespace
 
-Claim claim_of(const Comparison& comparison) {
+ComparisonWords claim_of(const Comparison& comparison) {
   const auto* const found =
       std::find_if(claim_rows.begin(), claim_rows.end(),
                    [&](const ClaimRow& row) { return row.key == comparison.key; });

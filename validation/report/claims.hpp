@@ -8,13 +8,13 @@
 
 namespace vcrit::validation::report {
 
-struct Claim {
+struct ComparisonWords {
   const char* words;   ///< "v* from the formula = v* from simulation"
   const char* means;   ///< what it is compared by
   const char* shared;  ///< what both sides have in common, so that a fault there is not seen
 };
 
 /// Of a comparison by its key; one whose key is not known claims what its own names say.
-Claim claim_of(const Comparison& comparison);
+ComparisonWords claim_of(const Comparison& comparison);
 
 }  // namespace vcrit::validation::report

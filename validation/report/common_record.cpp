@@ -45,7 +45,7 @@ void fields(Fields& f, const Comparison& it) {
   f.when(numbers, "tolerance_reason", it.reason).some("detail", it.detail);
   const bool agrees =
       result == Comparison::Outcome::passed && it.reference == validation::formula_reference;
-  const validation::report::Claim claim = validation::report::claim_of(it);
+  const validation::report::ComparisonWords claim = validation::report::claim_of(it);
   f.page("has_numbers", numbers).page("badge", badge(result)).page("ways_agree", agrees);
   f.page("claim", claim.words).page("means", claim.means).page("shared", claim.shared);
   const bool share = numbers && it.tolerance > 0 && std::isfinite(difference(it));

@@ -41,20 +41,21 @@ Scale scale_of(const SceneReport& report, const char* unit, Value value) {
   return scale_for(largest, unit);
 }
 
-double length_of(const Stretch& stretch) { return stretch.to - stretch.from; }
+double length_of(const MotionStretch& stretch) { return stretch.to - stretch.from; }
 
 /// All of the period together: one that goes on over its end is drawn as two.
-std::string sticking_words(const std::vector<Stretch>& all, double period) {
+std::string sticking_words(const std::vector<MotionStretch>& all, double period) {
   double sum = 0;
-  for (const Stretch& stretch : all)
+  for (const MotionStretch& stretch : all)
     if (!stretch.backward) sum += length_of(stretch);
   return fmt::format("sticks {:.0f} %", 100 * sum / period);
 }
 
-auto longest_sticking(const std::vector<Stretch>& all) {
-  return std::max_element(all.begin(), all.end(), [](const Stretch& a, const Stretch& b) {
-    return (a.backward ? 0 : length_of(a)) < (b.backward ? 0 : length_of(b));
-  });
+auto longest_sticking(const std::vector<MotionStretch>& all) {
+  return std::max_element(
+      all.begin(), all.end(), [](const MotionStretch& a, const MotionStretch& b) {
+        return (a.backward ? 0 : length_of(a)) < (b.backward ? 0 : length_of(b));
+      });
 }
 
 /// Time and the shades of stick and backward slip.
@@ -65,7 +66,7 @@ Figure cycle_figure(const SceneReport& report, const char* name, int height) {
   figure.name = name;
   figure.height = height;
   figure.x = {"time, " + time.unit, false, std::pair{0.0, two_pi / omega * time.factor}, {}};
-  const std::vector<Stretch> all = stretches(report.cycle->points, time.factor / omega);
+  const std::vector<MotionStretch> all = stretches(report.cycle->points, time.factor / omega);
   const std::string sticks = sticking_words(all, figure.x.range->second);
   const auto longest = longest_sticking(all);
   for (auto stretch = all.begin(); stretch != all.end(); ++stretch)

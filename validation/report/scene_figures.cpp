@@ -24,7 +24,7 @@ template <class Value>
 FigureSeries over_speed(const SceneReport& report, const char* name, Style style, int colour,
                         Value value) {
   FigureSeries series{name, style, {}, colour};
-  for (const CurvePoint& point : report.curve)
+  for (const ComparedPoint& point : report.curve)
     series.points.push_back({point.ratio, value(point), ""});
   return series;
 }
@@ -86,12 +86,12 @@ Figure friction_figure(const SceneReport& report) {
   figure.x = {speed_axis(report), false, std::pair{0.0, 1.4}, {}};
   figure.y = {"friction ratio μ/μ₀", false, std::pair{0.0, 1.05}, {}};
   figure.series.push_back(over_speed(report, "from sliding", Style::line, 0,
-                                     [](const CurvePoint& p) { return p.from_sliding; }));
+                                     [](const ComparedPoint& p) { return p.from_sliding; }));
   if (!report.curve.empty() && report.curve.front().closed_form)
     figure.series.push_back(over_speed(report, "closed form", Style::dashed, 2,
-                                       [](const CurvePoint& p) { return *p.closed_form; }));
+                                       [](const ComparedPoint& p) { return *p.closed_form; }));
   FigureSeries rest = over_speed(report, "from rest", Style::circles, 1,
-                                 [](const CurvePoint& p) { return p.from_rest; });
+                                 [](const ComparedPoint& p) { return p.from_rest; });
   for (std::size_t i = 0; i < rest.points.size(); ++i)
     rest.points[i].words = fmt::format("{:.4g}: {:.9f}, {}", report.curve[i].ratio,
                                        report.curve[i].from_rest, report.curve[i].regime);

@@ -13,11 +13,11 @@ using simulation::CyclePoint;
 
 }  // namespace
 
-std::vector<Stretch> stretches(const std::vector<CyclePoint>& cycle, double per_phase) {
+std::vector<MotionStretch> stretches(const std::vector<CyclePoint>& cycle, double per_phase) {
   double fastest = 0;
   for (const auto& point : cycle) fastest = std::max(fastest, std::abs(point.contact_velocity));
   const double still = 1e-12 * fastest;
-  std::vector<Stretch> result;
+  std::vector<MotionStretch> result;
   bool open = false;
   for (std::size_t i = 0; i < cycle.size(); ++i) {
     const double velocity = cycle[i].contact_velocity;

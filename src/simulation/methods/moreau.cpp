@@ -215,8 +215,8 @@ class MoreauMap final : public PeriodMap {
     return {Eigen::Map<const Eigen::VectorXd>(y.data(), static_cast<Eigen::Index>(y.size())),
             start == Start::rest ? Motion::stick : Motion::slip};
   }
-  Period run(const MapState& state, Accuracy accuracy) override {
-    const Stepper& stepper = accuracy == Accuracy::asked ? asked_ : coarser_;
+  Period run(const MapState& state, PeriodAccuracy accuracy) override {
+    const Stepper& stepper = accuracy == PeriodAccuracy::asked ? asked_ : coarser_;
     effort_.spend(stepper.steps() * (moreau_step_work + equations_.size()));
     return stepper.run(state);
   }

@@ -31,11 +31,12 @@ bool Newton::converges() {
 
 // One more period with less accuracy tells the integrator's error, carried to the steady cycle.
 SteadyState Newton::found() {
-  const Period coarse = periods_.run(state_, Accuracy::coarser);
+  const Period coarse = periods_.run(state_, PeriodAccuracy::coarser);
   const Vector moved_on = solver_.solve(periods_.change(state_, coarse) - rest_);
   const double apart = coarse.deficit - period_.deficit + deficit_by_begin_.dot(moved_on);
   double error = caution * std::abs(apart) + std::abs(deficit_by_begin_.dot(step_));
-  if (period_.slides() && may_hide_stick(period_, periods_.run(moved(moved_on), Accuracy::coarser)))
+  if (period_.slides() &&
+      may_hide_stick(period_, periods_.run(moved(moved_on), PeriodAccuracy::coarser)))
     error += missed_stick;
   return answer(std::move(period_), error);
 }

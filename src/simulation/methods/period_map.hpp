@@ -25,7 +25,7 @@ struct Period {
   bool slides() const { return events.empty() && end.motion == Motion::slip; }
 };
 
-enum class Accuracy {
+enum class PeriodAccuracy {
   asked,
   coarser,  ///< as much that the difference tells the error
 };
@@ -35,7 +35,7 @@ class PeriodMap {
   virtual ~PeriodMap() = default;
   virtual MapState start(Start start) const = 0;
   /// Throws ModelError when the integration goes wrong.
-  virtual Period run(const MapState& state, Accuracy accuracy = Accuracy::asked) = 0;
+  virtual Period run(const MapState& state, PeriodAccuracy accuracy = PeriodAccuracy::asked) = 0;
   /// Moves the beginning of the period to where the map is smooth; the state there.
   virtual MapState to_smooth_section(const MapState& state) { return state; }
   /// The entries of y that may be varied independently, and their typical sizes.

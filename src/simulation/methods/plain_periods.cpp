@@ -78,7 +78,7 @@ SteadyState plain_periods(Periods& periods, MapState state) {
             ? fmt::format(": by its trend the friction ratio would still change by {:.1g}", left)
             : ": it slides all the time, but its state still moves");
     if (left > periods.map().target() || !at_rest) continue;
-    const Period coarse = periods.run(begin, Accuracy::coarser);
+    const Period coarse = periods.run(begin, PeriodAccuracy::coarser);
     const double apart = std::abs(coarse.deficit - period.deficit);
     double error = caution * (apart + std::max(left, deficits.slowest_trend()));
     if (may_hide_stick(period, coarse, deficits.slowness(1))) error += missed_stick;

@@ -50,7 +50,7 @@ SteadyState by_newton(Periods& periods, MapState state) {
 
 }  // namespace
 
-Period Periods::run(const MapState& state, Accuracy accuracy) {
+Period Periods::run(const MapState& state, PeriodAccuracy accuracy) {
   hear_interruption();
   if (++count_ > most_)
     throw ModelError(fmt::format("has not settled after {} periods{}", most_, progress_));

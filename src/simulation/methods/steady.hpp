@@ -15,7 +15,7 @@ SteadyState settle(PeriodMap& map, const MethodOptions& options);
 class Periods {
  public:
   Periods(PeriodMap& map, int most) : map_(map), most_(most) {}
-  Period run(const MapState& state, Accuracy accuracy = Accuracy::asked);
+  Period run(const MapState& state, PeriodAccuracy accuracy = PeriodAccuracy::asked);
   PeriodMap& map() const { return map_; }
   /// What to say when the budget is spent.
   void note(std::string progress) { progress_ = std::move(progress); }

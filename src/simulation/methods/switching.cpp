@@ -56,8 +56,8 @@ class SwitchingMap final : public PeriodMap {
             start == Start::rest ? Motion::stick : Motion::slip};
   }
 
-  Period run(const MapState& state, Accuracy accuracy) override {
-    return run(state, section_ + two_pi, accuracy == Accuracy::asked ? asked_ : coarser_);
+  Period run(const MapState& state, PeriodAccuracy accuracy) override {
+    return run(state, section_ + two_pi, accuracy == PeriodAccuracy::asked ? asked_ : coarser_);
   }
 
   // The middle of the longest motion: as far from events as can be.

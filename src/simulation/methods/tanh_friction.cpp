@@ -84,8 +84,7 @@ class TanhOde final : public Ode {
     for (const Branch& branch : equations_.contact.branches)
       fastest = std::max(fastest, branch.rate);
     if (equations_.masses)
-      return std::max(fastest,
-                      equations_.masses->fastest_rate(damper_, equations_.contact.glassy));
+      return std::max(fastest, equations_.masses->fastest_rate(damper_, equations_.contact.glassy));
     if (!equations_.body) return fastest;
     const auto& [mass, drive] = *equations_.body;
     for (const Branch& branch : drive.branches) fastest = std::max(fastest, branch.rate);
@@ -124,8 +123,8 @@ class TanhMap final : public PeriodMap {
             start == Start::rest ? Motion::stick : Motion::slip};
   }
 
-  Period run(const MapState& state, Accuracy accuracy) override {
-    const bool asked = accuracy == Accuracy::asked;
+  Period run(const MapState& state, PeriodAccuracy accuracy) override {
+    const bool asked = accuracy == PeriodAccuracy::asked;
     return run(state, asked ? ode_ : coarser_ode_, asked ? asked_ : coarser_);
   }
 

@@ -59,14 +59,10 @@ struct Wide : Twofold {  // times 2^e, for numbers out of range; calls, as that 
   }
   Twofold times(long s) const { return {std::scalbln(hi, e + s), std::scalbln(lo, e + s)}; }
   friend Wide operator-(Wide a) { return {-Twofold(a), a.e}; }
-  [[gnu::noinline]] friend Wide operator+(Wide a, Wide b) {
-    return a.e < b.e ? b + a : Wide(a.times(-a.e) + b.times(-a.e), a.e);
-  }
+  [[gnu::noinline]] friend Wide operator+(Wide a, Wide b) { return a.e < b.e ? b + a : Wide(a.times(-a.e) + b.times(-a.e), a.e); }
   [[gnu::noinline]] friend Wide operator*(Wide a, Wide b) { return {Twofold(a) * Twofold(b), a.e + b.e}; }
   [[gnu::noinline]] friend Wide operator/(Wide a, Wide b) { return {Twofold(a) / Twofold(b), a.e - b.e}; }
-  [[gnu::noinline]] friend Wide sqrt(Wide a) {
-    return a.hi == 0 ? a : Wide{sqrt(a.times(-(a.e & ~1L))), (a.e & ~1L) / 2};
-  }
+  [[gnu::noinline]] friend Wide sqrt(Wide a) { return a.hi == 0 ? a : Wide{sqrt(a.times(-(a.e & ~1L))), (a.e & ~1L) / 2}; }
   explicit operator double() const { return std::scalbln(hi, e); }
 };
 inline double head(Twofold x) { return x.hi; }
