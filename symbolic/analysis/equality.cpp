@@ -20,16 +20,16 @@
 
 namespace vcrit::record {
 
-void fields(Fields& f, const symbolic::Comparison::Counterexample& it) {
+void fields(Fields& f, const symbolic::Equality::Counterexample& it) {
   f.group("values", [&it](Fields& values) {
     for (const auto& [symbol, value] : it.values) values(to_text(symbol).c_str(), value);
   });
   f("first", it.first)("second", it.second)("relative_difference", it.difference);
 }
 
-void fields(Fields& f, const symbolic::Comparison& it) {
-  const bool all_symbols = it.scope == symbolic::Comparison::Scope::symbols;
-  const bool proved = it.evidence == symbolic::Comparison::Evidence::canonical_form;
+void fields(Fields& f, const symbolic::Equality& it) {
+  const bool all_symbols = it.scope == symbolic::Equality::Scope::symbols;
+  const bool proved = it.evidence == symbolic::Equality::Evidence::canonical_form;
   f("equal", it.equal)("scope", all_symbols ? "symbols" : "values");
   f.when(it.equal, "evidence", proved ? "canonical form" : "residues");
   f.when(it.equal, "chance_of_error", it.chance_of_error).some("counterexample", it.counterexample);

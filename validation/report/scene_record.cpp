@@ -36,7 +36,7 @@ void fields(Fields& f, const validation::NormalForce& it) {
   f("mean", it.mean)("amplitude", it.amplitude);
 }
 
-void fields(Fields& f, const validation::CurvePoint& it) {
+void fields(Fields& f, const validation::ComparedPoint& it) {
   f("velocity_ratio", it.ratio)("velocity", it.velocity)("friction_ratio", it.from_sliding);
   f("friction_ratio_from_rest", it.from_rest)("friction_ratio_error", it.error);
   f("regime", it.regime).some("friction_ratio_closed_form", it.closed_form);
@@ -286,7 +286,8 @@ void fields(Fields& f, const report::SceneContents& contents) {
   f("system", report::draw_system(scene.problem))
       .when(scene.effect.has_value(), "answer",
             scene.effect ? report::answer_record(scene) : Json());
-  f("sentence", report::unbroken(report::sentence_of(scene)))("checks", report::checks_words(scene));
+  f("sentence", report::unbroken(report::sentence_of(scene)))("checks",
+                                                              report::checks_words(scene));
   f("failed_names", names_of_failed(scene))("failed_warning", report::warning_of_failed(scene));
   f("speed_axis", report::speed_axis(scene));
   f("explorer", scene.failure.empty() ? report::explorer_record(scene.problem) : Json());
