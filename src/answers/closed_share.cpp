@@ -1,5 +1,7 @@
 #include "answers/closed_share.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -44,7 +46,12 @@ ClosedShare::Modulus ClosedShare::modulus(const Problem& problem, const ReducedN
 void ClosedShare::Modulus::operator()(std::span<const std::span<const double>> all,
                                       std::span<double> out) const {
   std::vector<std::span<const double>> chosen;
-  for (const std::size_t column : columns) chosen.push_back(all[column]);
+  for (const std::size_t column : columns) {
+    if (column >= all.size())
+      throw InputError({"columns"}, fmt::format("{} of them", all.size()),
+                       "one for each varying parameter");
+    chosen.push_back(all[column]);
+  }
   velocities(chosen, out);
 }
 

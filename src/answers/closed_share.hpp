@@ -16,7 +16,7 @@ class ClosedShare {
   /// `varying` as for CriticalVelocities, none of them through 0.
   ClosedShare(const Problem& problem, const std::vector<std::string>& varying);
 
-  /// Columns as for CriticalVelocities; one value for each of `out`.
+  /// Columns as for CriticalVelocities; one value for each of `out`. Throws InputError likewise.
   void operator()(std::span<const std::span<const double>> columns, std::span<double> out) const;
 
  private:

@@ -118,8 +118,10 @@ double simulated_log_derivative(const Problem& problem, const Symbol& symbol) {
   const CriticalOnset here = by_simulation(problem);
   if (!(here.contact_velocity > 0 && std::isfinite(here.contact_velocity)))
     throw ModelError("v* is 0 or infinite, so that it has no relative sensitivity");
+  const auto found = problem.values().find(symbol);
+  if (found == problem.values().end()) return 0;  // an element of value 0: no share of it is any
   const Variation changing(problem, {name});
-  const double value = problem.values().at(symbol);
+  const double value = found->second;
   const auto log_velocity = [&](double logarithm) -> std::optional<double> {
     const double changed = value * std::exp(logarithm);
     try {
@@ -198,6 +200,7 @@ double quick_onset(const Problem& problem, double omega) {
 }
 
 double onset_log_derivative(const Problem& problem, const Symbol& symbol) {
+  check_symbol(problem, symbol);
   if (holds_formula(problem)) return log_derivative(problem, symbol);
   const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
   const bool held = problem->indenter && !problem->rigid();  // a half-space has no other ratio

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "answers/critical_onset.hpp"
+#include "critical/columns.hpp"
 #include "problem/variation.hpp"
 #include "rules/rulebook.hpp"
 
@@ -107,6 +108,7 @@ CriticalOnsets::CriticalOnsets(const Problem& problem, std::vector<std::string> 
 void CriticalOnsets::operator()(Columns columns, std::span<double> out) const {
   if (!problem_->separation && rules::answer(rules::Question::derivation, problem_))
     return formula_(columns, out);
+  check_columns(names_, columns, out.size());
   Lanes lanes(*this, columns);
   std::vector<std::span<const double>> part(columns.begin(), columns.end());
   std::array<double, lanes_at_once> room{};
@@ -127,6 +129,7 @@ void CriticalOnsets::operator()(Columns columns, std::span<double> out) const {
 
 std::optional<CriticalOnsets::Refused> CriticalOnsets::first_refused(Columns columns,
                                                                      std::size_t rows) const {
+  check_columns(names_, columns, rows);
   if (std::none_of(columns.begin(), columns.end(), any_unusual)) return std::nullopt;
   Lanes lanes(*this, columns);
   for (std::size_t lane = 0; lane < rows; ++lane) {

@@ -11,6 +11,7 @@
 
 #include "base/interruption.hpp"
 #include "critical/certified.hpp"
+#include "critical/columns.hpp"
 #include "critical/kernels.hpp"
 #include "critical/operations.hpp"
 #include "problem/variation.hpp"
@@ -34,7 +35,6 @@ class CriticalVelocities::Formula {
  public:
   Formula(const Problem& problem, std::vector<std::string> names, Grade grade);
   void evaluate(Given given, std::span<double> out) const;
-  void refuse_lengths(Given given, std::size_t lanes_wanted) const;
 
  private:
   /// A parameter that varies, and the unit in which it is given.
@@ -279,18 +279,8 @@ void CriticalVelocities::Formula::Call::run(std::span<double> out) {
   }
 }
 
-void CriticalVelocities::Formula::refuse_lengths(Given given, std::size_t lanes_wanted) const {
-  if (given.size() != names_.size())
-    throw InputError({"columns"}, fmt::format("{} of them", given.size()),
-                     fmt::format("{}, one for each varying parameter", names_.size()));
-  for (std::size_t i = 0; i < given.size(); ++i)
-    if (given[i].size() != 1 && given[i].size() != lanes_wanted)
-      throw InputError({names_[i]}, fmt::format("{} values", given[i].size()),
-                       fmt::format("{} as in out, or one for all", lanes_wanted));
-}
-
 void CriticalVelocities::Formula::evaluate(Given given, std::span<double> out) const {
-  refuse_lengths(given, out.size());
+  check_columns(names_, given, out.size());
   if (out.empty()) return;
   if (operations_) return Call(*this, given).run(out);
   Certified certified(problem_, names_);

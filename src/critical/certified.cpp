@@ -12,6 +12,7 @@
 #include "critical/balls.hpp"
 #include "critical/drive_response.hpp"
 #include "critical/eq24.hpp"
+#include "critical/log_derivative.hpp"
 #include "network/reduction.hpp"
 
 namespace vcrit {
@@ -207,6 +208,7 @@ Shift shift_of(const Symbol& symbol, int direction, slong precision) {
 }  // namespace
 
 double certified_log_derivative(const Problem& problem, const Symbol& symbol) {
+  check_symbol(problem, symbol);
   const double value = certified_critical_velocity(problem).value;
   if (!(value > 0 && std::isfinite(value)))
     throw ModelError("v* is 0 or infinite, so that it has no relative sensitivity");

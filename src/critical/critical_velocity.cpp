@@ -3,8 +3,10 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <limits>
 
 #include "base/complex.hpp"
+#include "critical/certified.hpp"
 #include "critical/eq24.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 
@@ -82,7 +84,15 @@ double critical_velocity(const Problem& problem, double omega) {
   const Values& values = problem.values();
   const double friction = values.at(problem->coefficient.symbol);
   const double amplitude = values.at(problem->amplitude.symbol);
-  return friction * omega * amplitude * eq24(problem, InDoubles{problem, values, omega});
+  const double v = friction * omega * amplitude * eq24(problem, InDoubles{problem, values, omega});
+  if (std::isfinite(v)) return v;
+  // Infinite, 0/0, or a number on the way that no double holds.
+  try {
+    return certified_critical_velocity(problem.with({{problem->angular_frequency.symbol, omega}}))
+        .value;
+  } catch (const ModelError&) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
 }
 
 double critical_velocity(const Problem& problem) {

@@ -165,8 +165,16 @@ double direct(const Problem& problem, const Symbol& symbol) {
 
 }  // namespace
 
+void check_symbol(const Problem& problem, const Symbol& symbol) {
+  if (problem.known_values().contains(symbol)) return;
+  const std::string name = to_text(as_called(problem, symbol));
+  if (!problem->source->settable.contains(name))  // an element of value 0 is one
+    throw InputError(argument("symbol"), name, "a symbol of the scene");
+}
+
 // A drive with masses need not give at all at some frequency, and next to that doubles cancel.
 double log_derivative(const Problem& problem, const Symbol& symbol) {
+  check_symbol(problem, symbol);
   if (problem->has_masses()) return certified_change(problem, symbol);
   const double change = direct(problem, symbol);
   const bool by_table = problem->receptance() != nullptr || !problem->measured.empty();

@@ -5,6 +5,9 @@
 
 namespace vcrit {
 
+/// Throws InputError for a symbol that neither has a value in the problem nor may be set.
+void check_symbol(const Problem& problem, const Symbol& symbol);
+
 /// (p/v*) dv*/dp, without unit, for any symbol p of the scene that has a value (0 where v* does not
 /// depend on it). In doubles: near a resonance or antiresonance it loses as many digits as v*
 /// there; of drives that hold masses as good as v* itself. Throws ModelError where v* is 0 or

@@ -136,7 +136,12 @@ Friction friction(const HalfSpace& half_space, double velocity, double tolerance
 
 // A punch that is closed carries least where the indentation is least, or opens.
 Pressed pressed(const HalfSpace& half_space) {
-  if (!half_space.uniform()) return rim_pressed(half_space);
+  if (!half_space.uniform()) {
+    if (!half_space.holder())
+      throw InputError(argument("half_space"), "an indenter on a rigid drive",
+                       "one on a drive that gives, or a flat punch");
+    return rim_pressed(half_space);
+  }
   const simulation::System whole = half_space.whole();
   const double mean = simulation::mean_normal_force(whole);
   return {mean, whole.opening ? 0 : std::max(0.0, mean - std::abs(whole.normal_force_amplitude))};

@@ -48,7 +48,7 @@ struct Pressed {
   double mean = 0, least = 0;
 };
 
-/// Of an indenter on a drive that gives; elastic, or a flat punch.
+/// Of an indenter on a drive that gives, or a flat punch; throws InputError for others.
 Pressed pressed(const HalfSpace& half_space);
 
 /// One point for each velocity, in their order. What is the same at all of them is found once.

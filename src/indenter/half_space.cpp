@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/errors.hpp"
 #include "normal/mean_indentation.hpp"
@@ -74,7 +75,7 @@ simulation::System HalfSpace::whole() const {
 }
 
 simulation::System HalfSpace::cell_under(double depth) const {
-  if (!closes(depth))
+  if (!closes(depth) || !std::isfinite(depth))
     throw InputError(argument("x"), fmt::format("a mean indentation of {} m there", depth),
                      fmt::format("one above {} m, so that the contact closes", -amplitude_));
   simulation::System system;

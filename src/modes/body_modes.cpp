@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/errors.hpp"
+#include "modes/beyond_doubles.hpp"
 
 namespace vcrit::simulation {
 
@@ -24,8 +25,8 @@ class BodyModes {
       first_guess();
       polish();
     } else {
-      ensure(roots_.size() == holder_.rates.size() + 1,
-             "a body has one mode more than its network");
+      // A body has one mode more than its network.
+      require_doubles(roots_.size() == holder_.rates.size() + 1);
       join_close_roots();
     }
   }

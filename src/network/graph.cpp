@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "network/law.hpp"
+#include "network/wiring.hpp"
 
 namespace vcrit {
 
@@ -57,6 +58,7 @@ std::optional<Network> changed_parts(const Parallel& parallel, const NewElement&
 }
 
 std::optional<Network> changed_parts(const Graph& graph, const NewElement& element_of) {
+  check_wires(graph);
   Graph left{graph.nodes, {}, {}};
   for (std::size_t i = 0; i < graph.parts.size(); ++i)
     if (auto kept = with_elements(graph.parts[i], element_of)) {
@@ -76,6 +78,7 @@ std::optional<Network> changed_parts(const Element& element, const NewElement& e
 }  // namespace
 
 std::optional<LoadedGraph> load_carrying(const Graph& graph) {
+  check_wires(graph);
   const std::vector<bool> carries = carries_load(graph);
   LoadedGraph loaded{{{graph.nodes[0], graph.nodes[1]}, {}, {}}, {}};
   std::vector<int> renamed(graph.nodes.size(), -1);

@@ -14,13 +14,13 @@ struct LoadedGraph {
   std::vector<std::size_t> left_out;  ///< indices of the edges that carry no load, in the old graph
 };
 
-/// Nothing if the terminals are not connected.
+/// Nothing if the terminals are not connected. Throws InputError for wires that lead to no nodes.
 std::optional<LoadedGraph> load_carrying(const Graph& graph);
 
 /// What an element becomes; nothing: an open gap.
 using NewElement = std::function<std::optional<Element>(const Element&)>;
 
-/// The network with each element replaced; nothing if no path is left between the terminals.
+/// The network with each element replaced; nothing if no path is left. Throws as load_carrying().
 std::optional<Network> with_elements(const Network& network, const NewElement& element_of);
 
 /// The network with the elements for which `absent` holds taken out (each an open gap); nothing if

@@ -8,6 +8,19 @@ namespace vcrit {
 
 namespace {
 
+[[noreturn]] void refuse_sizes(const Graph& graph) {
+  throw InputError(argument("network"),
+                   fmt::format("a graph of {} nodes and {} wires with {} parts", graph.nodes.size(),
+                               graph.wires.size(), graph.parts.size()),
+                   "two nodes or more, the terminals first, and a part for each wire");
+}
+
+[[noreturn]] void refuse_wire(const Graph& graph, const Wire& wire) {
+  throw InputError(
+      argument("network"), fmt::format("a wire from {} to {}", wire.from, wire.to),
+      fmt::format("two different nodes of the graph, from 0 to {}", graph.nodes.size() - 1));
+}
+
 struct Wiring {
   static void check(const std::vector<Network>& parts) {
     for (const Network& part : parts) check_wiring(part);
@@ -17,17 +30,10 @@ struct Wiring {
   void operator()(const Series& series) const { check_parts(series.parts, "series"); }
   void operator()(const Parallel& parallel) const { check_parts(parallel.parts, "parallel"); }
   void operator()(const Graph& graph) const {
-    const std::size_t nodes = graph.nodes.size(), wires = graph.wires.size();
-    if (nodes < 2 || wires == 0 || graph.parts.size() != wires)
-      throw InputError(argument("network"),
-                       fmt::format("a graph of {} nodes and {} wires with {} parts", nodes, wires,
-                                   graph.parts.size()),
-                       "two nodes or more, the terminals first, and a part for each wire");
-    const auto count = static_cast<int>(nodes);
-    for (const auto& [from, to] : graph.wires)
-      if (from < 0 || to < 0 || from >= count || to >= count || from == to)
-        throw InputError(argument("network"), fmt::format("a wire from {} to {}", from, to),
-                         fmt::format("two different nodes of the graph, from 0 to {}", count - 1));
+    if (graph.wires.empty()) refuse_sizes(graph);
+    check_wires(graph);
+    for (const Wire& wire : graph.wires)
+      if (wire.from == wire.to) refuse_wire(graph, wire);
     check(graph.parts);
   }
 
@@ -47,6 +53,14 @@ double value_of(const Values& values, const Symbol& symbol) {
   if (found != values.end()) return found->second;
   throw InputError(argument("values"), fmt::format("none for {}", to_text(symbol)),
                    "a value for each symbol of the network");
+}
+
+void check_wires(const Graph& graph) {
+  if (graph.nodes.size() < 2 || graph.parts.size() != graph.wires.size()) refuse_sizes(graph);
+  const auto count = static_cast<int>(graph.nodes.size());
+  for (const Wire& wire : graph.wires)
+    if (wire.from < 0 || wire.to < 0 || wire.from >= count || wire.to >= count)
+      refuse_wire(graph, wire);
 }
 
 void check_wiring(const Network& network) { std::visit(Wiring{}, network.form); }

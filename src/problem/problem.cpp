@@ -201,12 +201,12 @@ double Problem::found_indentation(const std::function<double()>& find) const {
 
 Problem Problem::with(const Values& values) const {
   Resolved changed = checked_->parts;
-  std::size_t places = 0;
+  Values left = values;
   const auto put = [&](const Symbol& symbol, std::optional<double>& value) {
     const auto found = values.find(symbol);
     if (found == values.end()) return;
     value = found->second;
-    ++places;
+    left.erase(symbol);
   };
   for (auto& [symbol, value] : changed.elements) put(symbol, value);
   for (Quantity* quantity : quantities_of<Quantity>(changed))
@@ -217,9 +217,11 @@ Problem Problem::with(const Values& values) const {
     auto typed = std::make_shared<std::map<Symbol, TypedNumber>>(*changed.typed);
     (*typed)[frequency_symbol] = {frequency->second, {}};
     changed.typed = std::move(typed);
-    ++places;
+    left.erase(frequency_symbol);
   }
-  ensure(places >= values.size(), "values of symbols that the problem has");
+  if (!left.empty())
+    throw InputError(argument("values"), "one for " + to_text(left.begin()->first),
+                     "values of symbols that the scene has");
   return Problem(std::move(changed));
 }
 

@@ -78,7 +78,7 @@ class Problem {
 
   /// Another problem, with these values (SI) in place of its own; that of frequency_symbol is f,
   /// and omega 2 pi f; what a measured contact is follows omega. Throws InputError for one that no
-  /// scene may have, Bug for a symbol that the problem does not have.
+  /// scene may have, and for a symbol that the problem does not have.
   Problem with(const Values& values) const;
 
  private:

@@ -35,7 +35,7 @@ struct Bracket {
   Receptance::Row below, above;
 };
 
-/// Throws ModelError for an omega (rad/s) outside the table.
+/// Throws ModelError for an omega (rad/s) outside the table, InputError where that has no rows.
 Bracket bracket(const Receptance& receptance, double omega);
 
 /// Reads a table in CSV with the header omega,Re,Im. Throws InputError with file and line, or with

@@ -7,6 +7,7 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
+#include "stiffness/structure_check.hpp"
 
 namespace vcrit {
 
@@ -133,6 +134,7 @@ MotionMatrix reachable(const MotionMatrix& a, const MotionColumn& port) {
 }  // namespace
 
 DriveMotion drive_motion(const DriveStructure& structure) {
+  check_structure(structure);
   const WholeDrive whole(structure);
   const MotionMatrix all = whole.matrix(), basis = reachable(all, whole.port);
   const MotionMatrix a = basis.transpose() * all * basis;

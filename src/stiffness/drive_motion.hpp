@@ -26,7 +26,7 @@ struct DriveMotion {
   std::vector<std::complex<long double>> poles;  ///< eigenvalues of A (1/s), those of R_b
 };
 
-/// Throws ModelError where nothing but masses leads from the body to the far end.
+/// Throws ModelError where only masses lead to the far end, InputError for sizes that do not fit.
 DriveMotion drive_motion(const DriveStructure& structure);
 
 }  // namespace vcrit

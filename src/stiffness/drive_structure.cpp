@@ -19,6 +19,7 @@
 #include "base/errors.hpp"
 #include "network/law.hpp"
 #include "network/masses.hpp"
+#include "stiffness/structure_check.hpp"
 
 namespace vcrit {
 
@@ -338,6 +339,8 @@ class StructureOf {
 
 DriveStructure drive_structure(const Network& drive, const Values& values, double body,
                                const Symbol& body_symbol) {
+  if (!(body >= 0 && std::isfinite(body)))
+    throw InputError(argument("body"), fmt::format("{} kg", body), "a finite mass of at least 0");
   MassGraph graph(values);
   if (body > 0) graph.add_mass(body_node, body, body_symbol);
   graph.add(drive, body_node, far_node);
@@ -355,6 +358,7 @@ std::vector<std::complex<long double>> displacements(const DriveStructure& struc
                                                      std::complex<long double> s) {
   using ComplexMatrix = Eigen::Matrix<std::complex<StructureReal>, Eigen::Dynamic, Eigen::Dynamic>;
   using ComplexColumn = Eigen::Matrix<std::complex<StructureReal>, Eigen::Dynamic, 1>;
+  check_structure(structure);
   const std::size_t n = structure.mass.size();
   const auto at = [](std::size_t i) { return static_cast<Eigen::Index>(i); };
   ComplexMatrix dynamic(at(n), at(n));

@@ -12,10 +12,15 @@
 #include "network/wiring.hpp"
 #include "stiffness/condensation.hpp"
 #include "stiffness/graph_relaxation.hpp"
+#include "stiffness/structure_check.hpp"
 
 namespace vcrit {
 
 namespace {
+
+void check_there_are(std::size_t parts) {
+  if (parts == 0) throw InputError(argument("parts"), "none", "one at least");
+}
 
 double positive_value(const Values& values, const Symbol& symbol) {
   const double value = value_of(values, symbol);
@@ -149,6 +154,7 @@ Relaxation relaxation_of(const PoleSum& stiffness) {
 }
 
 DualPoles dual(const PoleSum& sum) {
+  check_weights(sum.rates.size(), sum.weights.size());
   if (sum.rates.size() > most_rates)
     throw InputError({"a network"}, fmt::format("{} different relaxation times", sum.rates.size()),
                      fmt::format("at most {} where networks are in series", most_rates));
@@ -173,6 +179,7 @@ DualPoles dual(const PoleSum& sum) {
 }
 
 Relaxation parallel(const std::vector<Relaxation>& parts) {
+  check_there_are(parts.size());
   if (parts.size() == 1) return parts[0];
   std::vector<PoleSum> stiffnesses;
   for (const Relaxation& part : parts) stiffnesses.push_back(stiffness_poles(part));
@@ -181,6 +188,7 @@ Relaxation parallel(const std::vector<Relaxation>& parts) {
 
 // All compliances are added before the one way back: each crossing costs rounding errors.
 Relaxation series(const std::vector<Relaxation>& parts) {
+  check_there_are(parts.size());
   if (parts.size() == 1) return parts[0];
   std::vector<PoleSum> compliances;
   for (const Relaxation& part : parts) compliances.push_back(compliance_poles(part));

@@ -35,7 +35,7 @@ std::complex<double> dynamic_stiffness(const Relaxation& relaxation, double omeg
 /// All stiffnesses and dampers times `factor`.
 Relaxation scaled(Relaxation relaxation, double factor);
 
-/// Side by side, and one behind the other; at least one.
+/// Side by side, and one behind the other. Throw InputError unless there is one at least.
 Relaxation parallel(const std::vector<Relaxation>& parts);
 Relaxation series(const std::vector<Relaxation>& parts);
 
@@ -62,7 +62,7 @@ struct DualPoles {
 /// Time grows with the square of the rates: a minute for so many.
 constexpr std::size_t most_rates = 20'000;
 
-/// Throws InputError beyond `most_rates`.
+/// Throws InputError beyond `most_rates`, and unless each rate has its weight.
 DualPoles dual(const PoleSum& sum);
 
 }  // namespace vcrit

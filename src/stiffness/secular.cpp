@@ -5,6 +5,7 @@
 
 #include "base/constants.hpp"
 #include "base/interruption.hpp"
+#include "stiffness/structure_check.hpp"
 
 namespace vcrit {
 
@@ -227,6 +228,9 @@ class Roots {
 
 }  // namespace
 
-std::vector<OffsetRate> positive_roots(const SecularFunction& f) { return Roots(f).all(); }
+std::vector<OffsetRate> positive_roots(const SecularFunction& f) {
+  check_weights(f.poles.size(), f.weights.size());
+  return Roots(f).all();
+}
 
 }  // namespace vcrit

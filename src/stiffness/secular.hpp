@@ -31,7 +31,7 @@ struct OffsetRate {
 };
 
 /// All real roots x > 0, increasing. f is split into monotone pieces first, so none is missed; a
-/// double root counts as two or none, as rounding decides.
+/// double root counts as two or none, as rounding decides. Throws InputError for missing weights.
 std::vector<OffsetRate> positive_roots(const SecularFunction& f);
 
 }  // namespace vcrit

@@ -20,6 +20,8 @@ Grid::Grid(std::vector<Axis> axes, std::size_t rows_at_once, std::size_t speeds_
     : axes_(std::move(axes)), strides_(axes_.size()) {
   for (std::size_t a = axes_.size(); a-- > 0;) {
     const Place place = argument("over " + axes_[a].name);
+    if (axes_[a].values.empty())
+      throw InputError(place, "an axis without values", "one value or more");
     for (std::size_t b = 0; b < a; ++b)
       if (axes_[b].name == axes_[a].name)
         throw InputError(place, "the same axis again", "each quantity once");

@@ -100,8 +100,8 @@ void refuse_speeds(const Sweep& sweep, const Grid& grid) {
   for (const auto& speed : {sweep.velocity, sweep.velocity_ratio})
     if (speed) values.push_back(*speed);
   for (const double value : values)
-    if (!(value > 0))
-      throw InputError({"sweep"}, fmt::format("a speed of {}", value), "speeds above 0");
+    if (!(value > 0 && std::isfinite(value)))
+      throw InputError({"sweep"}, fmt::format("a speed of {}", value), "finite speeds above 0");
 }
 
 // Quantities and axes are columns of one table, variables of one file.
@@ -384,6 +384,11 @@ double Sweeping::Varying::of(const Grid& grid, std::size_t row) const {
   return axis_ ? grid.value(*axis_, row) : value_;
 }
 
-BlockAnswer Sweeping::answer(std::size_t block) const { return Rows(*this, block).run(); }
+BlockAnswer Sweeping::answer(std::size_t block) const {
+  if (block >= grid_.blocks())
+    throw InputError(argument("block"), fmt::format("{}", block),
+                     fmt::format("one of {}, counted from 0", grid_.blocks()));
+  return Rows(*this, block).run();
+}
 
 }  // namespace vcrit

@@ -6,6 +6,8 @@
 #include "answers/critical_onset.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
+#include "simulation/steady/exact.hpp"
+#include "support/refusal.hpp"
 #include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_range_ends)
@@ -62,6 +64,59 @@ BOOST_AUTO_TEST_CASE(exact_resonance_below_a_large_contact) {
   BOOST_CHECK_THROW(certified_critical_velocity(scene(2, 0)), ModelError);
   BOOST_TEST(certified_critical_velocity(scene(1, 0)).value == 0);
   BOOST_TEST(std::isfinite(certified_critical_velocity(scene(2.000001, 0.5)).value));
+}
+
+// Of random scenes over 600 decades these ended as a bug, with a crash and with NaN for friction: a
+// number of the motion without dimensions is no double.
+BOOST_AUTO_TEST_CASE(friction_where_numbers_of_the_motion_leave_the_range_of_doubles) {
+  using Numbers = std::vector<double>;
+  const std::vector<Scene> scenes{
+      test::scene_of({.normal = "k0 | (k1 - c1)",
+                      .tangential_ratio = 0.75,
+                      .network = "kd | cd",
+                      .mass = 6.748e-285,
+                      .angular_frequency = 2.794e-194,
+                      .amplitude = 3.497e40,
+                      .indentation = 3.497003497003497e40,
+                      .coefficient = 0.04,
+                      .elements = {{"k0", 5.544e-81},
+                                   {"k1", 3.904e155},
+                                   {"c1", 7.62e11},
+                                   {"kd", 7.214e-286},
+                                   {"cd", 8.653e249}}}),
+      test::scene_of({.normal = "prony(k0, k, tau)",
+                      .tangential_ratio = 0.75,
+                      .network = "kd | cd",
+                      .mass = 7.8e191,
+                      .angular_frequency = 6.847e293,
+                      .amplitude = 4.676e-268,
+                      .indentation = 9.352e-268,
+                      .coefficient = 8.368e259,
+                      .elements = {{"k0", 7.846e94},
+                                   {"k", Numbers{6.511e-172, 7.615e-165}},
+                                   {"tau", Numbers{3.294e-124, 8.162e184}},
+                                   {"kd", 5.66e-135},
+                                   {"cd", 7.019e300}}}),
+      test::scene_of({.normal = "k0 | (k1 - c1)",
+                      .tangential_ratio = 0.75,
+                      .network = "kd | cd",
+                      .mass = 3.316e79,
+                      .angular_frequency = 3.669e200,
+                      .amplitude = 6.663e-29,
+                      .indentation = 6.523069332566167e284,
+                      .coefficient = 4.808e-12,
+                      .elements = {{"k0", 6.952e-37},
+                                   {"k1", 3.403e276},
+                                   {"c1", 5.203e107},
+                                   {"kd", 7.357e122},
+                                   {"cd", 8.19e-173}}})};
+  for (const Scene& scene : scenes) {
+    const double v = certified_critical_velocity(scene).value;
+    BOOST_TEST((v > 0 && std::isfinite(v)));
+    BOOST_TEST(test::refused<ModelError>(
+        [&] { simulation::steady_state(simulation::system_of(scene), 0.3 * v); },
+        "numbers of this motion leave the range of doubles"));
+  }
 }
 
 }  // namespace

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "base/free_swings.hpp"
+#include "modes/beyond_doubles.hpp"
 #include "modes/body_modes.hpp"
 #include "modes/driven_modes.hpp"
 #include "simulation/system/check.hpp"
@@ -19,6 +21,18 @@ Relaxation without_dimensions(Relaxation form, double omega, double stiffness_un
   form.damper *= omega;
   for (MaxwellBranch& branch : form.branches) branch.time *= omega;
   return form;
+}
+
+bool all_in_doubles(std::initializer_list<double> numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+}
+
+// Branches keep times above 0, whose inverses are finite.
+bool in_doubles(const Relaxation& form) {
+  return all_in_doubles({form.equilibrium, form.damper}) &&
+         std::all_of(form.branches.begin(), form.branches.end(), [](const MaxwellBranch& branch) {
+           return branch.time > 0 && all_in_doubles({branch.stiffness, branch.time, 1 / branch.time});
+         });
 }
 
 // The poles of drive and contact together: where they agree, a force may pass from the one network
@@ -138,12 +152,16 @@ Model::Model(const System& system) : effort(effort_of_state, system.effort) {
   const double stiffness_unit = std::abs(dynamic_stiffness(path, system.omega));
   set_bound(system);
   velocity_unit = force_unit * system.omega / stiffness_unit;
-  contact = contact_modes(without_dimensions(path, system.omega, stiffness_unit));
+  const Relaxation plain = without_dimensions(path, system.omega, stiffness_unit);
+  require_doubles(stiffness_unit > 0 && velocity_unit > 0 && in_doubles(plain) &&
+                  all_in_doubles({stiffness_unit, force_unit, velocity_unit}));
+  contact = contact_modes(plain);
   if (moves) {
-    const PoleSum drive =
-        stiffness_poles(without_dimensions(*system.drive, system.omega, stiffness_unit));
-    body = Body{*system.mass * system.omega * (system.omega / stiffness_unit), drive,
-                dual(drive).at_rest};
+    const Relaxation form = without_dimensions(*system.drive, system.omega, stiffness_unit);
+    const double mass = *system.mass * system.omega * (system.omega / stiffness_unit);
+    require_doubles(in_doubles(form) && mass > 0 && std::isfinite(mass));
+    const PoleSum drive = stiffness_poles(form);
+    body = Body{mass, drive, dual(drive).at_rest};
     free_harmonic = simulation::free_harmonic(system);
   }
   if (system.masses) {

@@ -7,6 +7,7 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
+#include "modes/beyond_doubles.hpp"
 #include "simulation/steady/near_resonance.hpp"
 
 namespace vcrit::simulation {
@@ -129,12 +130,14 @@ const SteadyState& Answers::alone(double velocity, Start start, int samples) {
 
 const SteadyState& Answers::at(double velocity, Start start, int samples) {
   answer(velocity, start, samples, false);
+  require_doubles(std::isfinite(state_.friction_ratio));
   compare_starts(velocity, start == Start::rest ? Start::sliding : Start::rest);
   return state_;
 }
 
 const SteadyState& Answers::next(double velocity) {
   answer(velocity, Start::sliding, 0, true);
+  require_doubles(std::isfinite(state_.friction_ratio));
   compare_starts(velocity, Start::rest);
   return state_;
 }

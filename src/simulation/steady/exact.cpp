@@ -1,10 +1,15 @@
 #include "simulation/steady/exact.hpp"
 
+#include <fmt/core.h>
+
+#include "base/errors.hpp"
 #include "simulation/steady/answers.hpp"
 
 namespace vcrit::simulation {
 
 SteadyState steady_state(const System& system, double velocity, Start start, int samples) {
+  if (samples < 0)
+    throw InputError({"samples"}, fmt::format("{} points of the cycle", samples), "0 or more");
   return Answers(system).at(velocity, start, samples);
 }
 

@@ -39,8 +39,8 @@ std::optional<double> first_harmonic(const Model& model, double velocity) {
 }  // namespace
 
 std::vector<MassAmplitude> mass_amplitudes(const System& system, double velocity) {
-  if (!system.masses) return {};
   require_forward(velocity);
+  if (!system.masses) return {};
   const Model model(system);
   if (lost_in_resonance(model)) return {};
   const auto force = first_harmonic(model, model.motion_velocity(velocity / model.velocity_unit));

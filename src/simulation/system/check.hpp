@@ -8,7 +8,4 @@ namespace vcrit::simulation {
 /// Throws InputError with the member at fault: what works with a system asks this first.
 void check_system(const System& system);
 
-/// Throws InputError unless sizes fit and masses, stiffnesses and times are above 0.
-void check_structure(const DriveStructure& structure);
-
 }  // namespace vcrit::simulation

@@ -1,0 +1,23 @@
+// What relaxation forms and drives with masses must be that were not made of a network.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "stiffness/drive_structure.hpp"
+
+namespace vcrit {
+
+/// Throws InputError with the member's name unless `holds` and the value is finite.
+void check_number(bool holds, const std::string& member, double value, const char* expected);
+
+/// Throws InputError for numbers below 0, times that do not increase, and a network of nothing.
+void check_relaxation(const Relaxation& form, const std::string& member);
+
+/// Throws InputError unless there is one weight for each pole.
+void check_weights(std::size_t poles, std::size_t weights);
+
+/// Throws InputError unless sizes fit and masses, stiffnesses and times are above 0.
+void check_structure(const DriveStructure& structure);
+
+}  // namespace vcrit
