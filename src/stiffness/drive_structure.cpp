@@ -358,7 +358,7 @@ std::vector<std::complex<long double>> displacements(const DriveStructure& struc
                                                      std::complex<long double> s) {
   using ComplexMatrix = Eigen::Matrix<std::complex<StructureReal>, Eigen::Dynamic, Eigen::Dynamic>;
   using ComplexColumn = Eigen::Matrix<std::complex<StructureReal>, Eigen::Dynamic, 1>;
-  check_structure(structure);
+  check_sizes(structure);
   const std::size_t n = structure.mass.size();
   const auto at = [](std::size_t i) { return static_cast<Eigen::Index>(i); };
   ComplexMatrix dynamic(at(n), at(n));

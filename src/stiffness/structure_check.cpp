@@ -41,23 +41,27 @@ void check_weights(std::size_t poles, std::size_t weights) {
                      "one for each pole");
 }
 
-void check_structure(const DriveStructure& structure) {
+void check_sizes(const DriveStructure& structure) {
   const std::size_t n = structure.mass.size();
   const auto fits = [n](const Dense<long double>& matrix) {
     return matrix.rows() == n && matrix.columns() == n;
   };
   bool sizes = n > 0 && fits(structure.damping) && fits(structure.stiffness) &&
                structure.port.size() == n && structure.together.size() == n;
+  for (const DriveBranch& branch : structure.branches) sizes = sizes && branch.pull.size() == n;
+  if (!sizes)
+    throw InputError(argument("drive"), "masses, matrices and vectors of different sizes",
+                     "as many rows and columns as masses, one at least");
+}
+
+void check_structure(const DriveStructure& structure) {
+  check_sizes(structure);
   for (const DriveBranch& branch : structure.branches) {
-    sizes = sizes && branch.pull.size() == n;
     check_number(branch.stiffness > 0, "drive.branches: stiffness",
                  static_cast<double>(branch.stiffness), above_zero);
     check_number(branch.time > 0, "drive.branches: time", static_cast<double>(branch.time),
                  above_zero);
   }
-  if (!sizes)
-    throw InputError(argument("drive"), "masses, matrices and vectors of different sizes",
-                     "as many rows and columns as masses, one at least");
   for (const double mass : structure.mass) check_number(mass > 0, "drive.mass", mass, above_zero);
   if (structure.lead) check_relaxation(*structure.lead, "drive.lead");
 }

@@ -17,6 +17,9 @@ void check_relaxation(const Relaxation& form, const std::string& member);
 /// Throws InputError unless there is one weight for each pole.
 void check_weights(std::size_t poles, std::size_t weights);
 
+/// Throws InputError unless sizes fit.
+void check_sizes(const DriveStructure& structure);
+
 /// Throws InputError unless sizes fit and masses, stiffnesses and times are above 0.
 void check_structure(const DriveStructure& structure);
 

@@ -11,6 +11,8 @@ using GiNaC::ex;
 
 std::vector<Line> half_space_lines(const Derivation& derivation) {
   const AlgebraLock lock;
+  if (!derivation.problem->indenter)
+    throw InputError(argument("derivation"), "a scene without an indenter", "one with [indenter]");
   const auto& isotropic = std::get<Isotropic>(derivation.problem->tangential);
   const auto& given = isotropic.quantity.value;
   const ex nu = given ? ex(exact_decimal(*given)) : poisson_ratio(isotropic.quantity.symbol);

@@ -9,7 +9,7 @@
 
 namespace vcrit::symbolic {
 
-/// Why one v* holds for all of them, and thereby for any shape. The scene has an indenter.
+/// Why one v* holds for all of them, and thereby for any shape. Throws InputError without one.
 std::vector<Line> half_space_lines(const Derivation& derivation);
 
 }  // namespace vcrit::symbolic

@@ -37,7 +37,7 @@ bool holds(const Problem& problem) {
 std::vector<Line> separation_lines(const Derivation& derivation) {
   const AlgebraLock lock;
   const Problem& problem = derivation.problem;
-  if (!holds(problem)) return {};
+  if (!problem->separation || !holds(problem)) return {};
   const bool always{rules::answer(rules::Question::formula_of_all_values, problem)};
   const ex ratio = following(*derivation.model);
   for (const char* name : {"s", "K_n", "K_t", "K_d"})

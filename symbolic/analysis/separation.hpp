@@ -11,7 +11,7 @@
 
 namespace vcrit::symbolic {
 
-/// The derivation of v* for a contact that opens, or no lines where v* is not Eq. (24) then, by
+/// The derivation of v* for a contact that may open, or no lines where v* is not Eq. (24) then, by
 /// rules/rulebook.hpp.
 std::vector<Line> separation_lines(const Derivation& derivation);
 

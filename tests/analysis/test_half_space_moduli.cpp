@@ -33,6 +33,12 @@ BOOST_AUTO_TEST_CASE(one_ratio_everywhere) {
   BOOST_TEST(lines[2].right.is_equal(GiNaC::numeric(6, 7)));
 }
 
+BOOST_AUTO_TEST_CASE(of_a_scene_without_an_indenter) {
+  Scene scene = below("kelvin(E, eta)", "\"nu\"", sphere);
+  scene.indenter.reset();
+  BOOST_CHECK_THROW(half_space_lines(derive(scene)), InputError);
+}
+
 BOOST_AUTO_TEST_CASE(one_critical_velocity_for_all_shapes) {
   const Scene with_sphere = below("kelvin(E, eta)", "\"nu\"", sphere);
   const GiNaC::ex expected = half_space_lines(derive(with_sphere)).back().right;

@@ -56,6 +56,7 @@ BOOST_AUTO_TEST_CASE(with_memory) {
     BOOST_CHECK_THROW(emit_header(derive(scene), "f"), ModelError);
     Scene closed = scene;
     closed.separation = false;
+    BOOST_TEST(separation_lines(derive(closed)).empty());
     BOOST_TEST(!emit_header(derive(closed), "f").empty());
   }
 }

@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(values_from_a_file) {
   BOOST_TEST(has(message("frequency=list:" + file.string()), "values.txt:2: found"));
   std::ofstream(file) << "# none\n";
   BOOST_TEST(has(message("frequency=list:" + file.string()), "no values"));
-  BOOST_TEST(has(message("frequency=list:/nowhere"), "no such file"));
+  BOOST_TEST(has(message("frequency=list:/nowhere/list"), "no such file"));
 }
 
 BOOST_AUTO_TEST_CASE(mistakes_are_named) {
