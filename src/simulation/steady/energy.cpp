@@ -198,8 +198,11 @@ std::optional<EnergyBalance> energy_balance(const System& system, double velocit
       : model.never_slips(model.motion_velocity(v)) ? energy_of_creep(model, v)
                                                     : energy_of_cycle(model, v);
   if (!found) return std::nullopt;
-  return EnergyBalance{unit * found->drive, unit * found->friction, unit * found->dampers,
-                       unit * found->error};
+  const EnergyBalance energy{unit * found->drive, unit * found->friction, unit * found->dampers,
+                             unit * found->error};
+  if (!std::isfinite(energy.drive + energy.friction + energy.dampers + energy.error))
+    return std::nullopt;
+  return energy;
 }
 
 }  // namespace vcrit::simulation

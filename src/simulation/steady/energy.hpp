@@ -18,9 +18,9 @@ struct EnergyBalance {
   double error = 0;     ///< J, estimate of the error of each; what the balance may miss
 };
 
-/// velocity: mean velocity of the drive, m/s, > 0. Nothing where the body swings on its own more
-/// than some 16,000 times a period without coming to rest: following it would take too long. Throws
-/// ModelError where no steady state is found.
+/// velocity: mean velocity of the drive, m/s, > 0. Nothing where no double holds it, and where the
+/// body swings on its own more than some 16,000 times a period without coming to rest: following it
+/// would take too long. Throws ModelError where no steady state is found.
 std::optional<EnergyBalance> energy_balance(const System& system, double velocity);
 
 }  // namespace vcrit::simulation

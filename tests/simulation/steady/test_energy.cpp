@@ -94,6 +94,10 @@ BOOST_AUTO_TEST_CASE(elastic_contact_has_no_dampers) {
   BOOST_TEST(std::abs(energy.drive - energy.friction) <= 40 * u * energy.drive);
 }
 
+BOOST_AUTO_TEST_CASE(energy_beyond_doubles_is_none) {
+  BOOST_TEST(!energy_balance(under({2, 0, {}}, 1), 1e308).has_value());
+}
+
 // A damper alone carries F = min(eta v0, b) and creeps at F/eta, the contact slips at v0 - F/eta:
 // with f = eta v0/3 and the bound below f for |t - pi| < a, cos a = (1 - f)/0.8, in units of 9/eta:
 // <F^2> = (f^2 (pi - a) + a - 1.6 sin a + 0.32 (a + sin a cos a))/pi, <F> = (f (pi - a) + a - 0.8
