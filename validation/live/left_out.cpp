@@ -1,5 +1,6 @@
 // What the module leaves out of the program, with what the rest asks of it.
 #include "base/errors.hpp"
+#include "critical/certified.hpp"
 #include "normal/pressed_cells.hpp"
 #include "scene/members.hpp"
 #include "simulation/system/measured_drive.hpp"
@@ -11,6 +12,11 @@ namespace vcrit {
 Relaxation graph_relaxation(const RelaxationGraph& graph) {
   if (graph.edges.size() == 1) return graph.edges[0];
   throw ModelError("this page cannot simulate a network with a bridge; vcrit simulate can");
+}
+
+// Likewise, for v* beyond doubles.
+CertifiedVelocity certified_critical_velocity(const Problem&) {
+  throw ModelError("this page has no v* beyond doubles; vcrit eval has");
 }
 
 // Needs the fit of a structure to the table.
