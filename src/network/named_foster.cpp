@@ -99,13 +99,16 @@ std::string quotient_text(const PolynomialQuotient& q) {
     return all.starts_with("-1*") ? "-" + all.substr(3) : all;
   };
   const std::vector<std::string> above = factor_texts(q.over), below = factor_texts(q.under);
+  const auto is_bracketed = [](const std::string& text) {
+    return text.starts_with('(') && text.ends_with(')');
+  };
   // A sum alone needs no brackets.
-  const bool is_sum = below.empty() && above.size() == 1 && above.front().starts_with('(') &&
-                      above.front().ends_with(')');
+  const bool is_sum = below.empty() && above.size() == 1 && is_bracketed(above.front());
   if (is_sum) return above.front().substr(1, above.front().size() - 2);
   if (below.empty()) return product(above);
   const std::string under = product(below);
-  const bool alone = below.size() == 1 && under.find_first_of("*^") == std::string::npos;
+  const bool alone =
+      below.size() == 1 && (is_bracketed(under) || under.find_first_of("*^") == std::string::npos);
   return product(above) + "/" + (alone ? under : "(" + under + ")");
 }
 

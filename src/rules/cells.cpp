@@ -118,9 +118,9 @@ constexpr Cell inadmissible = left_out("of an admissible scene alone");
 
 // Of an indenter on a drive that gives.
 constexpr Cell by_phase = left_out(
-    "below an indenter on a drive that gives v* is the largest value of a speed over the phase");
+    "below an indenter on a drive that gives, v* is the largest value of a speed over the phase");
 constexpr Cell no_formula = refused(
-    "below an indenter on a drive that gives v* is no formula: it is the largest value of a speed "
+    "below an indenter on a drive that gives, v* is no formula: it is the largest value of a speed "
     "over the phase",
     "vcrit eval gives it, and vcrit simulate friction below it");
 constexpr Cell many_memories = refused(

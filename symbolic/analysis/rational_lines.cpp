@@ -210,8 +210,9 @@ std::vector<Line> square_lines(const RationalForm& form, const InOtherVariables&
   const int power = static_cast<int>(above) - static_cast<int>(below);
   const ex square =
       GiNaC::pow(symbol({"mu0"}) * symbol({"du_z"}), 2) * GiNaC::pow(omega(), power) * n / d;
-  std::vector<Line> lines{{fmt::format("As a rational function of {}^2", printed_name("omega")),
-                           GiNaC::pow(quantity("v*"), 2), square}};
+  std::vector<Line> lines{{{"As a rational function of ", ex(GiNaC::pow(omega(), 2))},
+                           GiNaC::pow(quantity("v*"), 2),
+                           square}};
   lines.insert(lines.end(), writer.lines.begin(), writer.lines.end());
   return lines;
 }
@@ -252,7 +253,8 @@ std::vector<Line> root_lines(const Polynomial& slope, const InOtherVariables& in
                 ? expression(*factors[i])
                 : writer.sum(begins_with_plus(*factors[i], writer), letter);
   }
-  std::vector<Line> lines{{"v* is largest or least, at frequencies besides 0, where", left, 0}};
+  std::vector<Line> lines{
+      {{quantity("v*"), " has its extrema, at frequencies above 0, where"}, left, 0}};
   lines.insert(lines.end(), writer.lines.begin(), writer.lines.end());
   return lines;
 }

@@ -100,7 +100,8 @@ class BalanceWriter {
     const ex balance = (normal_equation(there_, n_.du_z * n_.wave, z, z.diff(time(), 2)) / n_.wave)
                            .expand()
                            .collect(n_.A_z);
-    write("Balance along the normal", balance, 0);
+    const ex force = n_.K_m * n_.du_z;
+    write("Balance along the normal", (balance + force).expand().collect(n_.A_z), force);
     const ex solution = factored(GiNaC::lsolve(balance == 0, n_.A_z));
     write("Solved for the amplitude at the contact", n_.A_z, solution);
     return solution;
@@ -112,14 +113,14 @@ class BalanceWriter {
     if (there_.drive)
       write({"Equation of motion of the body, oscillating parts (", n_.x, ": body, ", n_.y,
              ": contact point; each network acts by its stiffness, with ", n_.s,
-             " for a derivative by time)"},
+             " for the time derivative)"},
             motion.body, 0);
     write(there_.drive
               ? Prose("At the contact point contact force and friction balance")
               : Prose{"The far end of the contact moves uniformly; at the contact point (", n_.y,
                       ": its oscillation) contact force and friction balance (each network acts "
                       "by its stiffness, with ",
-                      n_.s, " for a derivative by time)"},
+                      n_.s, " for the time derivative)"},
           motion.contact + n_.mu0 * n_.f_n, n_.mu0 * n_.f_n);
   }
 
@@ -135,7 +136,9 @@ class BalanceWriter {
     if (there_.drive)
       write("Balance of the body, contact force replaced by friction (13)",
             (amplitude.body - amplitude.contact).expand().collect(n_.A), 0);
-    write("Balance of the contact point (19)", amplitude.contact.collect(n_.K_t), 0);
+    const ex friction = n_.mu0 * height_ * n_.K_n;
+    write("Balance of the contact point (19)",
+          (amplitude.contact + friction).expand().collect(n_.K_t), friction);
   }
 
   /// A and B.
@@ -170,7 +173,7 @@ class BalanceWriter {
         "Receptance of the contact point, its displacement over the force on it (driving-point "
         "compliance)",
         quantity("H"), H);
-    write("With it, whatever it is made of", n_.B, general);
+    write({"With ", quantity("H"), ", for any linear structure"}, n_.B, general);
     return general;
   }
 

@@ -59,7 +59,7 @@ void write_condition(const Model& model, std::vector<Line>& lines) {
   const ex least =
       quantity("v0") - omega() * GiNaC::abs(B) * GiNaC::sin(omega() * quantity("t") + phase);
   lines.push_back({{"The contact point slides at ", least, ", with ", phase, " the phase of ", B,
-                    "; without a stop, until that first touches zero"},
+                    "; it never stops where ", quantity("v0"), " is above"},
                    v,
                    omega() * GiNaC::abs(B)});
   lines.push_back({"For any linear structure", v, velocity(model.balance().general_amplitude)});

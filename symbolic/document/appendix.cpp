@@ -137,7 +137,7 @@ class Nomenclature {
         Dimension::angle);
     rows_.push_back({{quantity("f_n")}, "oscillation of the normal force", "N"});
     rows_.push_back({{quantity("H")}, "receptance of the contact point", "m/N"});
-    rows_.push_back({{stated(laplace(), GiNaC::I * omega())}, "derivative by time", "1/s"});
+    rows_.push_back({{stated(laplace(), GiNaC::I * omega())}, "time derivative", "1/s"});
     row(quantity("t"), "time", Dimension::time);
   }
 

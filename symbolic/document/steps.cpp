@@ -80,7 +80,7 @@ std::vector<DocumentBlock> root_steps(const Derivation& derivation) {
   if (named.polynomials.empty()) return {};
   const ex product = named.product.value().subs(laplace() == GiNaC::I * omega());
   named.polynomials.push_back({form_of(quantity("B")).form, form_of(product), {}});
-  return {{{"Multiplied out, with even and odd powers of ", at, " apart"},
+  return {{{"Multiplied out, with even and odd powers of ", at, " separated"},
            {},
            false,
            named.polynomials},

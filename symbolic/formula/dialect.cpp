@@ -10,8 +10,12 @@
 namespace vcrit::symbolic {
 
 std::string Dialect::print(const Signed& expression) const {
+  return printed(expression, Place::free);
+}
+
+std::string Dialect::printed(const Signed& expression, Place place) const {
   hear_interruption();
-  const std::string text = piece(expression.form).text;
+  const std::string text = piece(expression.form, place).text;
   return expression.minus ? negative(text) : text;
 }
 
@@ -40,7 +44,8 @@ std::string Dialect::equation(const Signed& left, const Signed& right) const {
 std::string Dialect::terms(const std::vector<Signed>& terms, bool go_on) const {
   std::string text = go_on ? nothing() : print(terms.front());
   for (const Signed& term : terms)
-    if (go_on || &term != &terms.front()) text = added(text, term.minus, piece(term.form).text);
+    if (go_on || &term != &terms.front())
+      text = added(text, term.minus, piece(term.form, Place::free).text);
   return text;
 }
 
@@ -52,9 +57,9 @@ std::string Dialect::range(const std::string& index, int first, int last) const 
   return fmt::format("{} = {}..{}", index, first, last);
 }
 
-std::vector<Piece> Dialect::pieces(const std::vector<Form>& forms) const {
+std::vector<Piece> Dialect::pieces(const std::vector<Form>& forms, Place place) const {
   std::vector<Piece> result;
-  for (const Form& form : forms) result.push_back(piece(form));
+  for (const Form& form : forms) result.push_back(piece(form, place));
   return result;
 }
 
@@ -77,18 +82,21 @@ std::vector<std::string> Dialect::factors(const std::vector<Piece>& pieces,
   return result;
 }
 
-Piece Dialect::quotient(const Form& form) const {
+Piece Dialect::quotient(const Form& form, Place place) const {
+  const std::vector<Piece> under = pieces(form.under, Place::in_fraction);
+  if (place == Place::in_fraction)
+    return inner_fraction(pieces(form.over, Place::in_fraction), under);
   const auto is_root = [](const Form& factor) { return factor.kind == Form::Kind::root; };
   if (!roots_stand_behind() || form.over.empty() || !is_root(form.over.back()))
-    return fraction(pieces(form.over), pieces(form.under));
-  std::vector<Form> over = form.over;
-  const auto roots = std::find_if(over.begin(), over.end(), is_root);
-  std::vector<Piece> parts{fraction(pieces({over.begin(), roots}), pieces(form.under))};
-  for (Piece& root : pieces({roots, over.end()})) parts.push_back(std::move(root));
+    return fraction(pieces(form.over, Place::in_fraction), under);
+  const auto roots = std::find_if(form.over.begin(), form.over.end(), is_root);
+  std::vector<Piece> parts{fraction(pieces({form.over.begin(), roots}, Place::in_fraction), under)};
+  for (Piece& root : pieces({roots, form.over.end()}, Place::free))
+    parts.push_back(std::move(root));
   return {product(factors(parts, false)), Piece::Tightness::product};
 }
 
-Piece Dialect::piece(const Form& form) const {
+Piece Dialect::piece(const Form& form, Place place) const {
   switch (form.kind) {
     case Form::Kind::number: {
       const bool whole = form.text.find('/') == std::string::npos;
@@ -101,29 +109,30 @@ Piece Dialect::piece(const Form& form) const {
       std::string text;
       for (std::size_t i = 0; i < form.terms.size(); ++i) {
         const Signed& term = form.terms[i];
-        text = i == 0 ? print(term) : added(text, term.minus, piece(term.form).text);
+        text =
+            i == 0 ? printed(term, place) : added(text, term.minus, piece(term.form, place).text);
       }
       return {text, Piece::Tightness::sum};
     }
     case Form::Kind::product:
       if (form.under.empty())
-        return {product(factors(pieces(form.over), false)), Piece::Tightness::product};
-      return quotient(form);
+        return {product(factors(pieces(form.over, place), false)), Piece::Tightness::product};
+      return quotient(form, place);
     case Form::Kind::power: {
-      const Piece base = piece(form.over[0]);
+      const Piece base = piece(form.over[0], place);
       const bool atom = base.tightness == Piece::Tightness::atom;
       return {power(atom ? base.text : wrapped(base.text), form.exponent)};
     }
     case Form::Kind::root:
-      return {root(piece(form.over[0]).text)};
+      return {root(piece(form.over[0], place).text)};
     case Form::Kind::series:
-      return {series(factors({piece(form.terms[0].form)}, false)[0], form.text, form.exponent,
-                     form.last),
+      return {series(factors({piece(form.terms[0].form, place)}, false)[0], form.text,
+                     form.exponent, form.last),
               series_tightness()};
     case Form::Kind::call:
       break;
   }
-  return {call(form.text, print(form.terms[0]))};
+  return {call(form.text, printed(form.terms[0], place))};
 }
 
 }  // namespace vcrit::symbolic

@@ -41,6 +41,11 @@ class Dialect {
   virtual std::string product(const std::vector<std::string>& factors) const = 0;
   /// The parts are not wrapped yet.
   virtual Piece fraction(const std::vector<Piece>& over, const std::vector<Piece>& under) const = 0;
+  /// The same within a fraction, where letters above and below a bar would be tiny.
+  virtual Piece inner_fraction(const std::vector<Piece>& over,
+                               const std::vector<Piece>& under) const {
+    return fraction(over, under);
+  }
   virtual std::string power(const std::string& base, int exponent) const = 0;
   virtual std::string root(const std::string& argument) const = 0;
   virtual std::string call(const std::string& function, const std::string& argument) const = 0;
@@ -69,9 +74,12 @@ class Dialect {
   std::vector<std::string> factors(const std::vector<Piece>& pieces, bool lone_is_bare) const;
 
  private:
-  Piece piece(const Form& form) const;
-  Piece quotient(const Form& form) const;
-  std::vector<Piece> pieces(const std::vector<Form>& forms) const;
+  /// Where a part stands: on its own line, or above or below a bar.
+  enum class Place { free, in_fraction };
+  Piece piece(const Form& form, Place place) const;
+  std::string printed(const Signed& expression, Place place) const;
+  Piece quotient(const Form& form, Place place) const;
+  std::vector<Piece> pieces(const std::vector<Form>& forms, Place place) const;
 };
 
 const Dialect& text_dialect();

@@ -41,13 +41,6 @@ int frequency_degree(const Form& form) {
   }
 }
 
-bool holds_sum(const Form& form) {
-  const auto any = [](const std::vector<Form>& forms) {
-    return std::any_of(forms.begin(), forms.end(), holds_sum);
-  };
-  return form.kind == Form::Kind::sum || any(form.over) || any(form.under);
-}
-
 std::string key(const Form& form) { return text_dialect().print({false, form}); }
 
 void sort_terms(std::vector<Signed>& terms) {
@@ -68,18 +61,24 @@ void sort_terms(std::vector<Signed>& terms) {
   for (std::size_t i = 0; i < terms.size(); ++i) terms[i] = std::move(keyed[i].second);
 }
 
-/// Where a factor stands in its product: numbers, i, then what a reader expects first. The physical
-/// prefactor mu0 omega du_z keeps its order; elsewhere omega stands behind the elements.
+bool has_base(const Form& factor, const char* name) {
+  const Form& base = factor.kind == Form::Kind::power ? factor.over[0] : factor;
+  return base.kind == Form::Kind::name && base.text == name;
+}
+
+/// Where a factor stands in its product: numbers, i, then what a reader expects first: omega c, but
+/// m omega^2. The physical prefactor mu0 omega du_z keeps its order, in v*^2 as well.
 int rank(const Form& form, bool prefactor) {
   static const std::map<std::string, int> names{
-      {own_name("i"), -9}, {"mu0", -3},        {"du_z", -1},        {own_name("x"), 2},
-      {own_name("y"), 2},  {own_name("A"), 2}, {own_name("B"), 2},  {"omega", 3},
-      {own_name("s"), 4},  {own_name("t"), 5}, {own_name("pi"), -4}};
+      {own_name("i"), -9}, {"mu0", -3},        {"du_z", -1},       {own_name("x"), 2},
+      {own_name("y"), 2},  {own_name("A"), 2}, {own_name("B"), 2}, {"omega", -2},
+      {own_name("g"), -1}, {own_name("Z"), 1}, {own_name("s"), 4}, {own_name("t"), 5},
+      {own_name("pi"), -4}};
   switch (form.kind) {
     case Form::Kind::number:
       return -10;
     case Form::Kind::power:
-      return rank(form.over[0], prefactor);
+      return !prefactor && has_base(form, "omega") ? 3 : rank(form.over[0], prefactor);
     case Form::Kind::sum:
     case Form::Kind::product:
     case Form::Kind::series:
@@ -93,7 +92,6 @@ int rank(const Form& form, bool prefactor) {
     case Form::Kind::name:
       break;
   }
-  if (prefactor && form.text == "omega") return -2;
   if (form.text.starts_with("K_") || form.text.starts_with("L_")) return 1;
   if (form.text.starts_with("dK_")) return 2;
   const auto found = names.find(form.text);
@@ -103,7 +101,7 @@ int rank(const Form& form, bool prefactor) {
 void sort_factors(std::vector<Form>& factors) {
   if (factors.size() < 2) return;
   const bool prefactor =
-      std::any_of(factors.begin(), factors.end(), [](const Form& f) { return f.text == "mu0"; });
+      std::any_of(factors.begin(), factors.end(), [](const Form& f) { return has_base(f, "mu0"); });
   std::vector<std::tuple<int, std::string, Form>> keyed;
   for (Form& factor : factors)
     keyed.emplace_back(rank(factor, prefactor), key(factor), std::move(factor));
@@ -219,6 +217,13 @@ Signed form_of(const GiNaC::ex& expression) {
   else
     product.multiply(expression);
   return product.result();
+}
+
+bool holds_sum(const Form& form) {
+  const auto any = [](const std::vector<Form>& forms) {
+    return std::any_of(forms.begin(), forms.end(), holds_sum);
+  };
+  return form.kind == Form::Kind::sum || any(form.over) || any(form.under);
 }
 
 bool leads_with_minus(const GiNaC::ex& expression) {

@@ -40,6 +40,9 @@ struct Signed {
 
 Signed form_of(const GiNaC::ex& expression);
 
+/// Whether the form is a sum or has one among its factors.
+bool holds_sum(const Form& form);
+
 /// Each + - * / ^ sqrt abs.
 int operations_in(const Form& form);
 

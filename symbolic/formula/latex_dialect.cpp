@@ -65,6 +65,10 @@ class LatexDialect : public Dialect {
                         product(factors(under, true))),
             Piece::Tightness::product};
   }
+  Piece inner_fraction(const std::vector<Piece>& over,
+                       const std::vector<Piece>& under) const override {
+    return slashed(over, under, "/");
+  }
   std::string power(const std::string& base, int exponent) const override {
     // TeX takes no second exponent of one base, as of v^{*}.
     const bool raised = base.find('^') != std::string::npos && !base.starts_with("\\left");

@@ -75,6 +75,10 @@ class MathMlDialect : public Dialect {
                         product(factors(over, true)), product(factors(under, true))),
             Piece::Tightness::product};
   }
+  Piece inner_fraction(const std::vector<Piece>& over,
+                       const std::vector<Piece>& under) const override {
+    return slashed(over, under, "<mo>/</mo>");
+  }
   std::string power(const std::string& base, int exponent) const override {
     return fmt::format("<msup><mrow>{}</mrow><mn>{}</mn></msup>", base, exponent);
   }

@@ -152,8 +152,17 @@ class FormWidth {
     return result;
   }
 
+  /// over/under, as it is written within a fraction.
+  double on_one_line(const Form& form, Style style) const {
+    const bool lone = form.under.size() == 1 && form.under[0].kind != Form::Kind::sum &&
+                      form.under[0].kind != Form::Kind::series;
+    return factors(form.over, false, style) + digit * scale(style) +
+           factors(form.under, true, style) + (lone ? 0 : 18);
+  }
+
   double product(const Form& form, Style style) const {
     if (form.under.empty()) return factors(form.over, false, style);
+    if (style != Style::display) return on_one_line(form, style);
     const Style inner = within_bar(style);
     std::vector<Form> over = form.over;
     double roots = 0;

@@ -15,6 +15,7 @@ Alphabet::Alphabet(const Problem& problem, const DimensionlessGroups* groups)
   measures_.dimensionless = groups != nullptr;
   parts_.prefactor = all_.symbol("", 2, true);
   parts_.omega = groups != nullptr ? Expressions::number(1) : symbol({"omega"}, {0, -1});
+  if (groups == nullptr) measures_.odd.insert(parts_.omega.node);
   parts_.normal = &problem_->normal.network();
   if (const auto* own = std::get_if<ReducedNetwork>(&problem_->tangential))
     parts_.tangential = &own->network();
@@ -34,6 +35,7 @@ Presentations Alphabet::presentations(const Thrift& thrift) {
 Ex Alphabet::stiffness(const std::string& name, bool positive) {
   const Ex ex = positive ? all_.symbol(name) : all_.signed_symbol(name);
   measures_.symbols[ex.node] = {1, 0};
+  if (name.ends_with("''")) measures_.odd.insert(ex.node);
   return ex;
 }
 
@@ -72,7 +74,12 @@ Ex Alphabet::in_groups(const GiNaC::ex& product) {
   if (GiNaC::is_a<GiNaC::symbol>(product)) {
     const std::string name = GiNaC::ex_to<GiNaC::symbol>(product).get_name();
     const auto [known, is_new] = group_symbols_.try_emplace(name);
-    if (is_new) known->second = all_.symbol(name);
+    if (is_new) {
+      known->second = all_.symbol(name);
+      for (const Line& group : groups_->lines)
+        if (group.left.is_equal(product) && group.right.degree(omega()) % 2 != 0)
+          measures_.odd.insert(known->second.node);
+    }
     return known->second;
   }
   ensure(product.is_equal(1), "a group is a symbol");
@@ -80,12 +87,10 @@ Ex Alphabet::in_groups(const GiNaC::ex& product) {
 }
 
 void Alphabet::add(const Network& network) {
-  static const std::map<NumberRole, Measure> measures{{NumberRole::stiffness, {1, 0}},
-                                                      {NumberRole::damping, {1, 1}},
-                                                      {NumberRole::time, {0, 1}},
-                                                      {NumberRole::mass, {1, 2}},
-                                                      {NumberRole::loss_factor, {0, 0}},
-                                                      {NumberRole::factor, {0, 0}}};
+  static const std::map<NumberRole, Measure> measures{
+      {NumberRole::stiffness, {1, 0}},   {NumberRole::damping, {1, 1}},
+      {NumberRole::time, {0, 1}},        {NumberRole::mass, {1, 2}},
+      {NumberRole::loss_factor, {0, 0}}, {NumberRole::factor, {0, 0}}};
   for_each_element(network, [&](const Element& element) {
     for_each_number(element,
                     [&](const Symbol& each, NumberRole role) { symbol(each, measures.at(role)); });
@@ -121,8 +126,7 @@ Prose Alphabet::ratio_words(const ShortestForm& form) const {
   const Quantity& given_ratio = isotropic()->quantity;
   const bool poisson = isotropic()->by == Isotropic::By::poisson;
   std::optional<Form> name;
-  if (given_ratio.value && !ratio_.empty())
-    name = Form{Form::Kind::number, ratio_, {}, {}, {}, 1};
+  if (given_ratio.value && !ratio_.empty()) name = Form{Form::Kind::number, ratio_, {}, {}, {}, 1};
   for (const ShortestForm::Definition& definition : form.definitions)
     if (all_.name(parts_.ratio.node) == "g" && definition.name.text.starts_with("g"))
       name = definition.name;

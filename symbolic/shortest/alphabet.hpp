@@ -30,7 +30,7 @@ class Alphabet {
   Expressions& expressions() { return all_; }
   const Parts& parts() const { return parts_; }
   Presentations presentations(const Thrift& thrift);
-  /// A symbol for a stiffness.
+  /// A symbol for a stiffness; K'' is the loss.
   Ex stiffness(const std::string& name, bool positive);
   /// A symbol of the networks, by its text.
   Ex element(const std::string& name) const;

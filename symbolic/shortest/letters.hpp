@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct Measure {
 /// What symbols measure, by node.
 struct Measures {
   std::map<ExNode, Measure> symbols = {};
+  std::set<ExNode> odd = {};   ///< symbols that are odd in omega
   bool dimensionless = false;  ///< nothing measures anything: letters are greek
   std::string mark = {};       ///< behind each letter, of a formula beside another one
 };

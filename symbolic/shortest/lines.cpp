@@ -77,10 +77,21 @@ ExLines meanings_and(const Ex& velocity, const std::vector<NamedLine>& definitio
   return lines;
 }
 
-/// In a sum omega has no place of its own.
-bool before_in_sum(const Signed& a, const Signed& b) {
-  if (a.minus != b.minus) return b.minus;
-  return before(a.form, b.form);
+/// A term of a sum and whether it is the square of an imaginary part.
+struct PlacedTerm {
+  bool imaginary = false;
+  Signed text;
+};
+
+/// What is added before what is taken away, real parts before imaginary ones, 1/k0 before 1/(k1 +
+/// k2); omega has no place of its own.
+bool before_in_sum(const PlacedTerm& a, const PlacedTerm& b) {
+  if (a.text.minus != b.text.minus) return b.text.minus;
+  if (a.imaginary != b.imaginary) return b.imaginary;
+  const int first = factor_rank(a.text.form), second = factor_rank(b.text.form);
+  if (first != second) return first < second;
+  const bool has_sum = holds_sum(a.text.form), other_has = holds_sum(b.text.form);
+  return has_sum != other_has ? other_has : before(a.text.form, b.text.form);
 }
 
 }  // namespace
@@ -90,7 +101,10 @@ Lines::Lines(const Expressions& all, const Measures& measures, const Ex& velocit
     : all_(all),
       measures_(measures),
       definitions_(definitions),
-      steps_(all, meanings_and(velocity, definitions)) {}
+      steps_(all, meanings_and(velocity, definitions)),
+      parity_(all, steps_, measures.odd) {
+  steps_.take_out_factors();
+}
 
 ShortestForm Lines::form() {
   do give_names();
@@ -267,8 +281,11 @@ Form Lines::written(Index i) const {
 
 Form Lines::sum(const FormulaStep& step) const {
   Form form{Form::Kind::sum, "", {}, {}, {}, 1};
-  for (const StepPart& part : step.parts) form.terms.push_back({part.sign < 0, of(part.step)});
-  std::sort(form.terms.begin(), form.terms.end(), before_in_sum);
+  std::vector<PlacedTerm> terms;
+  for (const StepPart& part : step.parts)
+    terms.push_back({parity_.is_square_of_odd(part.step), {part.sign < 0, of(part.step)}});
+  std::sort(terms.begin(), terms.end(), before_in_sum);
+  for (PlacedTerm& term : terms) form.terms.push_back(std::move(term.text));
   return form;
 }
 
@@ -298,13 +315,6 @@ Form Lines::product(const FormulaStep& step) const {
   std::sort(over.begin(), over.end(), before);
   std::sort(under.begin(), under.end(), before);
   if (under.empty() && over.size() == 1) return over[0];
-  // A root stands behind a fraction, where it is set large, not above its bar.
-  if (!under.empty() && over.size() > 1 && over.back().kind == Form::Kind::root) {
-    Form root = std::move(over.back());
-    over.pop_back();
-    const Form before{Form::Kind::product, "", std::move(over), std::move(under), {}, 1};
-    return {Form::Kind::product, "", {before, std::move(root)}, {}, {}, 1};
-  }
   return {Form::Kind::product, "", std::move(over), std::move(under), {}, 1};
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "shortest/letters.hpp"
+#include "shortest/parity.hpp"
 #include "shortest/shortest.hpp"
 #include "shortest/steps.hpp"
 
@@ -48,6 +49,7 @@ class Lines {
   const Measures& measures_;
   std::vector<NamedLine> definitions_;
   Steps steps_;
+  Parity parity_;
   std::vector<Index> lines_;  ///< in their order
   std::vector<Index> divided_;
   std::map<Index, std::string> names_;

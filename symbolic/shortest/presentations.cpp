@@ -126,26 +126,33 @@ std::vector<ComplexQuotient> Presentations::maxwell(const Ex& k, const Ex& turn)
 
 Gathered Presentations::gathered(const std::vector<Network>& parts, bool inverse) {
   Gathered result;
-  const auto add = [&](std::optional<Ex>& whole, const Ex& value) {
-    if (!whole)
-      whole = value;
-    else if (!inverse)
-      whole = all_.add(*whole, value);
-    else
-      whole = all_.divide(all_.multiply(*whole, value), all_.add(*whole, value));
-  };
+  std::vector<Ex> springs, dampers, masses;
   for (const Network& part : parts) {
     const auto* e = std::get_if<Element>(&part.form);
     if (e != nullptr && e->kind == ElementKind::spring)
-      add(result.spring, number(e->coefficient));
+      springs.push_back(number(e->coefficient));
     else if (e != nullptr && e->kind == ElementKind::damper)
-      add(result.damper, number(e->coefficient));
+      dampers.push_back(number(e->coefficient));
     else if (e != nullptr && e->kind == ElementKind::mass && !inverse)
-      add(result.mass, number(e->coefficient));
+      masses.push_back(number(e->coefficient));
     else
       result.others.push_back(part);
   }
+  result.spring = joined(springs, inverse);
+  result.damper = joined(dampers, inverse);
+  result.mass = joined(masses, inverse);
   return result;
+}
+
+/// a + b + c or, one behind the other, a b/(a + b), 1/(1/a + 1/b + 1/c).
+std::optional<Ex> Presentations::joined(const std::vector<Ex>& values, bool inverse) {
+  if (values.empty()) return std::nullopt;
+  if (!inverse || values.size() == 1) return all_.sum(values);
+  if (values.size() == 2)
+    return all_.divide(all_.multiply(values[0], values[1]), all_.add(values[0], values[1]));
+  std::vector<Ex> compliances;
+  for (const Ex& value : values) compliances.push_back(all_.power(value, -1));
+  return all_.power(all_.sum(compliances), -1);
 }
 
 Presentations::Terms Presentations::side_by_side(const std::vector<Network>& parts) {

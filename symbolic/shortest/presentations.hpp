@@ -62,6 +62,7 @@ class Presentations {
   Terms side_by_side(const std::vector<Network>& parts);
   Terms one_behind_another(const std::vector<Network>& parts);
   Gathered gathered(const std::vector<Network>& parts, bool inverse);
+  std::optional<Ex> joined(const std::vector<Ex>& values, bool inverse);
   Ex named(const char* letter, const Ex& meaning);
   Ex number(const Amount& amount);
   std::vector<ComplexQuotient> best(std::vector<ComplexQuotient> all);

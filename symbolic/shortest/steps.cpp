@@ -10,12 +10,6 @@ namespace {
 
 std::uint64_t bit(std::uint32_t step) { return std::uint64_t{1} << (step % 64); }
 
-void remember_parts(FormulaStep& step) {
-  std::sort(step.parts.begin(), step.parts.end());
-  step.mask = 0;
-  for (const StepPart& part : step.parts) step.mask |= bit(part.step);
-}
-
 /// How many parts two steps of a kind have in common: with equal signs, and with opposite ones.
 struct Common {
   std::size_t same = 0, opposite = 0;
@@ -39,8 +33,8 @@ void for_each_common(const FormulaStep& a, const FormulaStep& b, const Visit& vi
 
 Common count_common(const FormulaStep& a, const FormulaStep& b) {
   Common count;
-  for_each_common(
-      a, b, [&](const StepPart&, bool same) { ++(same ? count.same : count.opposite); });
+  for_each_common(a, b,
+                  [&](const StepPart&, bool same) { ++(same ? count.same : count.opposite); });
   return count;
 }
 
@@ -69,6 +63,12 @@ std::optional<int> sign_in(const FormulaStep& step, const std::vector<StepPart>&
 }
 
 }  // namespace
+
+void FormulaStep::sort_parts() {
+  std::sort(parts.begin(), parts.end());
+  mask = 0;
+  for (const StepPart& part : parts) mask |= bit(part.step);
+}
 
 int step_operations(const FormulaStep& step, const Expressions& all) {
   const int size = static_cast<int>(step.parts.size());
@@ -110,7 +110,7 @@ std::uint32_t Steps::definition(const Ex& meaning) {
 }
 
 std::uint32_t Steps::put(FormulaStep step) {
-  remember_parts(step);
+  step.sort_parts();
   all_.spend(steps_.size() / 16);
   for (std::uint32_t i = 0; i < steps_.size(); ++i) {
     const FormulaStep& old = steps_[i];
@@ -213,7 +213,7 @@ void Steps::replace(std::uint32_t in, const std::vector<StepPart>& common, std::
                        [&](const StepPart& each) { return each.step == part.step; });
   });
   steps_[in].parts.push_back({by, *sign});
-  remember_parts(steps_[in]);
+  steps_[in].sort_parts();
 }
 
 bool Steps::share_best(const std::vector<std::uint32_t>& sets) {
@@ -247,7 +247,7 @@ bool Steps::share_best(const std::vector<std::uint32_t>& sets) {
     if (turned)
       for (StepPart& part : best) part.sign = -part.sign;
     step.parts = best;
-    remember_parts(step);
+    step.sort_parts();
     steps_.push_back(std::move(step));
   }
   for (const std::uint32_t set : sets)
@@ -285,6 +285,8 @@ std::uint32_t Steps::halve(std::uint32_t sum) {
 }
 
 void Steps::count() {
+  operations_ = shared_ = 0;
+  for (FormulaStep& step : steps_) step.uses = 0;
   std::vector<std::uint32_t> open;
   for (const std::uint32_t each : wholes_)
     if (steps_[each].uses++ == 0) open.push_back(each);

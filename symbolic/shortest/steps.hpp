@@ -26,6 +26,7 @@ struct FormulaStep {
   std::vector<StepPart> parts;
   int uses = 0;
   std::uint64_t mask = 0;  ///< of the parts' steps: disjoint masks have no part in common
+  void sort_parts();
 };
 
 class Steps {
@@ -41,6 +42,9 @@ class Steps {
   const std::vector<FormulaStep>& steps() const { return steps_; }
   std::uint32_t whole() const { return wholes_.back(); }
   const std::vector<std::uint32_t>& wholes() const { return wholes_; }
+  /// a b + a c = a (b + c) and a (b + c/a) = a b + c where that is shorter: what the sharing of
+  /// steps has left.
+  void take_out_factors();
   /// Makes the first half of a sum's terms a step of its own: as many operations.
   std::uint32_t halve(std::uint32_t sum);
 
@@ -55,6 +59,13 @@ class Steps {
   bool share_best(const std::vector<std::uint32_t>& sets);
   void replace(std::uint32_t in, const std::vector<StepPart>& common, std::uint32_t by);
   void count();
+  std::uint32_t without(std::uint32_t product, const StepPart& factor);
+  std::uint32_t times(std::uint32_t step, std::uint32_t factor);
+  bool is_used_once(std::uint32_t step, FormulaStep::Kind kind) const;
+  bool take_out_of(std::uint32_t sum);
+  bool multiply_into(std::uint32_t product);
+  bool multiply_into(std::uint32_t product, std::uint32_t sum, std::uint32_t factor);
+  bool become_sum(std::uint32_t product, const std::vector<StepPart>& terms);
 
   const Expressions& all_;
   std::vector<FormulaStep> steps_;

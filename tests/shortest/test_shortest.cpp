@@ -182,7 +182,7 @@ BOOST_AUTO_TEST_CASE(storage_and_loss_read_as_people_write_them) {
   const Scene scene = scene_of("normal = \"kn | cn\"\npoisson = 0.3", "kd");
   const NamesOfScene names(scene);
   BOOST_TEST(text_of(find_storage_loss_form(scene).form.value()) ==
-             "K_n'' = omega*cn; v* = mu0*omega*du_z/kd*sqrt(K_n''^2 + (kn + 17/14*kd)^2)");
+             "K_n'' = omega*cn; v* = mu0*omega*du_z*sqrt((kn + 17/14*kd)^2 + K_n''^2)/kd");
   BOOST_TEST(!find_storage_loss_form(read_scene(VCRIT_SCENES "/measured_drive.toml")).form);
   // A mass has a negative storage, which a line says.
   const Scene absorber =
@@ -215,7 +215,11 @@ BOOST_AUTO_TEST_CASE(formulas_read_as_people_write_them) {
   BOOST_TEST(text_for(scene_of("normal = \"prony(k0, k, tau, 2)\"\npoisson = \"nu\"", "kd")) ==
              "g = (2 - nu)/(2*(1 - nu)); T1 = omega*tau[1]; T2 = omega*tau[2]; "
              "G1 = k[1]/(T1 + 1/T1); G2 = k[2]/(T2 + 1/T2); "
-             "v* = mu0*omega*du_z/kd*sqrt((G1 + G2)^2 + (k0 + g*kd + G1*T1 + G2*T2)^2)");
+             "v* = mu0*omega*du_z*sqrt((k0 + g*kd + G1*T1 + G2*T2)^2 + (G1 + G2)^2)/kd");
+  // Three dampers one behind the other, and the real part before the imaginary one.
+  BOOST_TEST(text_for(scene_of("normal = \"k0 | (c1 - c2 - c3)\"\npoisson = \"nu\"", "kd")) ==
+             "g = (2 - nu)/(2*(1 - nu)); W = omega/(1/c1 + 1/c2 + 1/c3); "
+             "v* = mu0*omega*du_z*sqrt((k0 + g*kd)^2 + W^2)/kd");
 }
 
 BOOST_AUTO_TEST_CASE(other_scenes_have_a_formula_that_is_proved) {
