@@ -1,7 +1,5 @@
 #include "analysis/rational_lines.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <functional>
 #include <map>

@@ -102,7 +102,9 @@ void Fitting::name_small_parts(Form& form, int bars) {
     return;
   }
   const int within = bars + (form.kind == Form::Kind::product && !form.under.empty() ? 1 : 0);
-  for (Form& part : form.over) name_small_parts(part, within);
+  // A root above the outermost bar is set beside it.
+  for (Form& part : form.over)
+    name_small_parts(part, bars == 0 && part.kind == Form::Kind::root ? 0 : within);
   for (Form& part : form.under) name_small_parts(part, within);
   for (Signed& term : form.terms) name_small_parts(term.form, within);
 }

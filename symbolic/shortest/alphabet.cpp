@@ -5,6 +5,7 @@
 
 #include "base/errors.hpp"
 #include "derivation/model.hpp"
+#include "formula/names.hpp"
 #include "formula/symbols.hpp"
 #include "network/law.hpp"
 
@@ -35,7 +36,7 @@ Presentations Alphabet::presentations(const Thrift& thrift) {
 Ex Alphabet::stiffness(const std::string& name, bool positive) {
   const Ex ex = positive ? all_.symbol(name) : all_.signed_symbol(name);
   measures_.symbols[ex.node] = {1, 0};
-  if (name.ends_with("''")) measures_.odd.insert(ex.node);
+  if (base_name(name).ends_with("''")) measures_.odd.insert(ex.node);
   return ex;
 }
 
@@ -87,10 +88,12 @@ Ex Alphabet::in_groups(const GiNaC::ex& product) {
 }
 
 void Alphabet::add(const Network& network) {
-  static const std::map<NumberRole, Measure> measures{
-      {NumberRole::stiffness, {1, 0}},   {NumberRole::damping, {1, 1}},
-      {NumberRole::time, {0, 1}},        {NumberRole::mass, {1, 2}},
-      {NumberRole::loss_factor, {0, 0}}, {NumberRole::factor, {0, 0}}};
+  static const std::map<NumberRole, Measure> measures{{NumberRole::stiffness, {1, 0}},
+                                                      {NumberRole::damping, {1, 1}},
+                                                      {NumberRole::time, {0, 1}},
+                                                      {NumberRole::mass, {1, 2}},
+                                                      {NumberRole::loss_factor, {0, 0}},
+                                                      {NumberRole::factor, {0, 0}}};
   for_each_element(network, [&](const Element& element) {
     for_each_number(element,
                     [&](const Symbol& each, NumberRole role) { symbol(each, measures.at(role)); });
@@ -126,7 +129,8 @@ Prose Alphabet::ratio_words(const ShortestForm& form) const {
   const Quantity& given_ratio = isotropic()->quantity;
   const bool poisson = isotropic()->by == Isotropic::By::poisson;
   std::optional<Form> name;
-  if (given_ratio.value && !ratio_.empty()) name = Form{Form::Kind::number, ratio_, {}, {}, {}, 1};
+  if (given_ratio.value && !ratio_.empty())
+    name = Form{Form::Kind::number, ratio_, {}, {}, {}, 1};
   for (const ShortestForm::Definition& definition : form.definitions)
     if (all_.name(parts_.ratio.node) == "g" && definition.name.text.starts_with("g"))
       name = definition.name;

@@ -27,6 +27,38 @@ void Steps::take_out_factors() {
   }
 }
 
+bool Steps::cancel_in_front(ExNode omega) {
+  FormulaStep front = steps_[whole()];
+  const auto leads = [this](const StepPart& part) {
+    const FormulaStep& step = steps_[part.step];
+    return part.sign > 0 && step.kind == FormulaStep::Kind::symbol && all_.leads(step.node);
+  };
+  if (front.kind != FormulaStep::Kind::product ||
+      std::none_of(front.parts.begin(), front.parts.end(), leads))
+    return false;
+  for (StepPart& part : front.parts) {
+    if (part.sign > 0 || steps_[part.step].kind != FormulaStep::Kind::symbol) continue;
+    const Ex meaning = all_.meaning(steps_[part.step].node);
+    if (!meaning.factor.is_one() || all_[meaning.node].kind != Kind::product) continue;
+    const std::vector<Item>& items = all_[meaning.node].items;
+    const auto is = [&](std::size_t i, bool is_omega) {
+      return items[i].exponent == 1 && (items[i].node == omega) == is_omega &&
+             all_[items[i].node].kind == Kind::symbol;
+    };
+    if (items.size() != 2 || !((is(0, true) && is(1, false)) || (is(0, false) && is(1, true))))
+      continue;
+    const std::uint32_t other = of(items[is(0, true) ? 1 : 0].node);
+    const auto same = [&](const StepPart& each) { return each.step == other; };
+    if (std::any_of(front.parts.begin(), front.parts.end(), same)) continue;
+    part.step = other;
+    front.sort_parts();
+    steps_[whole()] = std::move(front);
+    count();
+    return true;
+  }
+  return false;
+}
+
 bool Steps::is_used_once(std::uint32_t step, FormulaStep::Kind kind) const {
   const bool is_line = std::find(wholes_.begin(), wholes_.end(), step) != wholes_.end();
   return steps_[step].kind == kind && steps_[step].uses == 1 && !is_line;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 #include "formula/dialect.hpp"
 #include "formula/names.hpp"
@@ -104,6 +105,8 @@ Lines::Lines(const Expressions& all, const Measures& measures, const Ex& velocit
       steps_(all, meanings_and(velocity, definitions)),
       parity_(all, steps_, measures.odd) {
   steps_.take_out_factors();
+  for (const ExNode symbol : measures.odd)
+    if (all.name(symbol) == "omega") omega_cancels_ = steps_.cancel_in_front(symbol);
 }
 
 ShortestForm Lines::form() {
@@ -297,7 +300,9 @@ Form Lines::product(const FormulaStep& step) const {
   for (const StepPart& part : step.parts) {
     const FormulaStep& inner = steps_.steps()[part.step];
     if (inner.kind == FormulaStep::Kind::symbol && all_.leads(inner.node)) {
-      for (const char* name : leading_names) put(name_form(name), part.sign < 0);
+      for (const char* name : leading_names)
+        if (!omega_cancels_ || std::string_view(name) != "omega")
+          put(name_form(name), part.sign < 0);
       continue;
     }
     Form factor = of(part.step);

@@ -50,6 +50,7 @@ class Lines {
   std::vector<NamedLine> definitions_;
   Steps steps_;
   Parity parity_;
+  bool omega_cancels_ = false;  ///< in front of the whole
   std::vector<Index> lines_;  ///< in their order
   std::vector<Index> divided_;
   std::map<Index, std::string> names_;

@@ -33,8 +33,8 @@ void for_each_common(const FormulaStep& a, const FormulaStep& b, const Visit& vi
 
 Common count_common(const FormulaStep& a, const FormulaStep& b) {
   Common count;
-  for_each_common(a, b,
-                  [&](const StepPart&, bool same) { ++(same ? count.same : count.opposite); });
+  for_each_common(
+      a, b, [&](const StepPart&, bool same) { ++(same ? count.same : count.opposite); });
   return count;
 }
 

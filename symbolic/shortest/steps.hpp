@@ -45,6 +45,9 @@ class Steps {
   /// a b + a c = a (b + c) and a (b + c/a) = a b + c where that is shorter: what the sharing of
   /// steps has left.
   void take_out_factors();
+  /// Of a whole that begins with what leads, over a letter that is `omega` times a symbol: the symbol
+  /// in place of the letter, where omega goes from what leads as well.
+  bool cancel_in_front(ExNode omega);
   /// Makes the first half of a sum's terms a step of its own: as many operations.
   std::uint32_t halve(std::uint32_t sum);
 

@@ -101,6 +101,13 @@ BOOST_AUTO_TEST_CASE(what_fits_is_left_as_it_is) {
   BOOST_TEST(equations[0].rows.size() == 1u);
 }
 
+// The root is set beside the fraction, so that k_3/k_4 stands below one bar.
+BOOST_AUTO_TEST_CASE(what_is_below_a_root_beside_a_fraction_is_not_small) {
+  Fitting fitting(measure_of_page);
+  const ex inside = (element(2) + element(3) / element(4)) / (1 + element(5));
+  BOOST_TEST(fit(fitting, element(1) * GiNaC::sqrt(inside) / element(6)).size() == 1u);
+}
+
 BOOST_AUTO_TEST_CASE(a_part_has_one_name_in_a_document) {
   Fitting fitting(measure_of_page);
   const ex part = long_sum(1, 40);

@@ -14,7 +14,7 @@ ASIDE = mp.mpf(10)**-45
 NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 INDEX = re.compile(r"(\w+)\[(\d+)\]")
 GREEK = {"mu", "omega", "tau", "kappa", "theta", "beta", "rho", "gamma", "alpha", "nu", "eta"}
-TOKEN = re.compile(r"\\(?:left|right|frac|sqrt|Delta|mathrm|[a-zA-Z]+)|\d+(?:\.\d+)?|[a-zA-Z]|[{}_^+\-()|=,']")
+TOKEN = re.compile(r"\\(?:left|right|frac|sqrt|Delta|mathrm|[a-zA-Z]+)|\d+(?:\.\d+)?|[a-zA-Z]|[{}_^+\-/()|=,']")
 
 
 def beside_poles(values):
@@ -89,7 +89,8 @@ def text_value(text, names):
 
 
 class Latex:
-    """Recursive descent over the LaTeX that derive prints: sums, products by juxtaposition, powers, fractions, roots."""
+    """Recursive descent over the LaTeX that derive prints: sums, products by juxtaposition, powers, fractions, roots.
+    Behind a slash stands one factor."""
 
     def __init__(self, text, names):
         self.tokens, self.at, self.names = TOKEN.findall(text), 0, names
@@ -120,9 +121,16 @@ class Latex:
         return value
 
     def product(self):
-        value = self.power()
-        while self.peek() not in (None, "+", "-", ")", "}", "\\right", "|", "=", ","):
-            value = value * self.power()
+        value, ends = self.power(), (None, "+", "-", ")", "}", "\\right", "|", "=", ",")
+        while self.peek() not in ends:
+            if self.peek() != "/":
+                value = value * self.power()
+                continue
+            self.take()
+            value = value / self.power()
+            # a/b c may be read in two ways.
+            if self.peek() not in ends:
+                raise Unknown(f"{self.peek()} behind a slash")
         return value
 
     def power(self):

@@ -220,6 +220,10 @@ BOOST_AUTO_TEST_CASE(formulas_read_as_people_write_them) {
   BOOST_TEST(text_for(scene_of("normal = \"k0 | (c1 - c2 - c3)\"\npoisson = \"nu\"", "kd")) ==
              "g = (2 - nu)/(2*(1 - nu)); W = omega/(1/c1 + 1/c2 + 1/c3); "
              "v* = mu0*omega*du_z*sqrt((k0 + g*kd)^2 + W^2)/kd");
+  // omega cancels.
+  BOOST_TEST(text_for(scene_of("normal = \"kn | cn\"\ntangential = \"k1 - c1\"", "kd")) ==
+             "W = omega*c1; "
+             "v* = mu0*du_z*sqrt((1 + (W/k1 + W/kd)^2)*(kn^2 + (omega*cn)^2))/c1");
 }
 
 BOOST_AUTO_TEST_CASE(other_scenes_have_a_formula_that_is_proved) {

@@ -325,18 +325,24 @@ class MathML:
             return self.row(children[1:-1], names)
         if ends == ["|", "|"]:
             return abs(self.row(children[1:-1], names))
-        total, factor, sign = mp.mpf(0), None, 1
+        total, factor, sign, slash = mp.mpf(0), None, 1, None
         for child in children:
             operator = child.text if child.tag == self.SPACE + "mo" else None
             if operator in ("+", "\N{MINUS SIGN}"):
                 total, factor = total + sign * factor if factor is not None else total, None
-                sign = 1 if operator == "+" else -1
+                sign, slash = 1 if operator == "+" else -1, None
             elif operator is None:
+                # a/b c may be read in two ways.
+                need(slash != "used", child.tag, "behind what is behind a slash")
                 value = self.value(child, names)
-                factor = value if factor is None else factor * value
+                factor = value if factor is None else factor / value if slash else factor * value
+                slash = slash and "used"
+            elif operator == "/":
+                need(factor is not None and slash is None, operator)
+                slash = "open"
             else:
-                need(operator == "\N{INVISIBLE TIMES}" and factor is not None, operator)
-        need(factor is not None, "an operator at the end")
+                need(operator == "\N{INVISIBLE TIMES}" and factor is not None and slash is None, operator)
+        need(factor is not None and slash != "open", "an operator at the end")
         return total + sign * factor
 
 
