@@ -23,6 +23,7 @@
 #include "report/figure_files.hpp"
 #include "report/fit_figures.hpp"
 #include "report/fit_page.hpp"
+#include "streams.hpp"
 
 namespace vcrit::app {
 
@@ -42,7 +43,7 @@ struct FitOptions {
   bool json = false;
 };
 
-// With an error of two digits, which is what it is known to.
+// The error itself is known to two digits at most.
 std::string uncertain_words(const Uncertain& a, const char* unit, int digits) {
   return fmt::format("{:<12} ± {}", rounded(a.value, unit, digits), rounded(a.error, unit, 2));
 }
@@ -82,7 +83,8 @@ std::vector<NewFile> figure_files(const Data& data, const Fit& fit, const std::s
   return validation::report::draw_figures(files, directory, [](const auto&) {});
 }
 
-// Across the data; and where the contact will oscillate, if that is known and within them.
+// Frequencies spread over the data, and the frequency of the oscillation if it is known and lies
+// within the data.
 std::vector<double> frequencies_of_interest(const Data& data, const std::string& frequency) {
   std::vector<double> omegas = frequencies_across(data);
   if (frequency.empty()) return omegas;
@@ -99,6 +101,18 @@ std::vector<std::string> spelled_words(const Data& data, const Fit& fit) {
   return all;
 }
 
+/// A flat punch of more than this is no punch of a tester: millimetres without their unit.
+constexpr double widest_punch = 0.05;  // m
+
+void warn_of_wide_punch(const std::string& radius) {
+  const TypedNumber typed = parse_typed(radius, Dimension::length, {"--punch-radius"});
+  if (typed.is_bare && typed.value >= widest_punch)
+    warn(
+        fmt::format("--punch-radius {0}: a bare number is in metres; if mm are meant, write "
+                    "\"{0} mm\"",
+                    radius));
+}
+
 // All that may be wrong is found before the first file is written.
 void run_fit(const FitOptions& options) {
   const std::filesystem::path out = options.out;
@@ -107,6 +121,7 @@ void run_fit(const FitOptions& options) {
   if (!options.figures.empty()) validation::report::require_gnuplot("figures");
   const Data data =
       fit::read_data(options.data, fit::punch_of(options.punch_radius, options.rest.poisson));
+  if (!options.punch_radius.empty()) warn_of_wide_punch(options.punch_radius);
   const Fit fit = fit::fitted(data, options.fit);
   const FitContents contents{
       data,

@@ -95,12 +95,20 @@ std::optional<std::string> the_one_that_begins(std::string_view name,
   return *std::find_if(candidates.begin(), candidates.end(), begins);
 }
 
+bool is_same_but_for_case(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
+    return std::tolower(x) == std::tolower(y);
+  });
+}
+
 }  // namespace
 
 std::optional<std::string> nearest(std::string_view name,
                                    const std::vector<std::string>& candidates) {
   std::optional<std::string> best;
   if (name.size() > longest_name) return best;
+  for (const std::string& candidate : candidates)
+    if (is_same_but_for_case(name, candidate)) return candidate;
   if (const auto whole = the_one_that_begins(name, candidates)) return whole;
   std::size_t distance = std::max<std::size_t>(2, name.size() / 3) + 1;
   for (const std::string& candidate : candidates) {

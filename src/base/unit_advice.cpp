@@ -7,6 +7,7 @@
 #include <array>
 #include <cctype>
 #include <cstddef>
+#include <span>
 #include <utility>
 
 #include "base/identifiers.hpp"
@@ -70,6 +71,14 @@ std::string folded(std::string_view unit) {
   return text;
 }
 
+/// "u", as the usual units have it, for both micro signs.
+std::string with_plain_micro(std::string unit) {
+  for (const std::string_view micro : {"\u00b5", "\u03bc"})
+    for (auto at = unit.find(micro); at != unit.npos; at = unit.find(micro))
+      unit.replace(at, micro.size(), "u");
+  return unit;
+}
+
 constexpr std::size_t most_units_offered = 2;
 
 Units best(std::vector<std::pair<std::size_t, std::string>> found) {
@@ -84,6 +93,15 @@ Units best(std::vector<std::pair<std::size_t, std::string>> found) {
 constexpr std::array<std::string_view, 8> peak_to_peak{
     "peak to peak", "peak-to-peak", "pk-pk", "p-p", "p/p", "ptp", "pkpk", "pp"};
 
+constexpr std::array<std::string_view, 2> root_mean_square{"rms", "RMS"};
+
+std::string_view before_any(std::string_view unit, std::span<const std::string_view> ends) {
+  for (const std::string_view end : ends)
+    if (unit.size() > end.size() && unit.ends_with(end))
+      return trimmed(unit.substr(0, unit.size() - end.size()), " \t_,(");
+  return {};
+}
+
 bool is_digit_at(std::string_view text, std::size_t i) {
   return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i])) != 0;
 }
@@ -91,9 +109,11 @@ bool is_digit_at(std::string_view text, std::size_t i) {
 }  // namespace
 
 Units nearest_units(std::string_view unit, Dimension dimension) {
+  if (is_mistaken_unit(unit) && dimension == Dimension::mass) return {"g"};
   std::vector<std::pair<std::size_t, std::string>> same, near;
   for (const std::string& each : usual_units(dimension)) {
-    if (folded(each) == folded(unit)) same.emplace_back(edit_distance(each, unit), each);
+    if (folded(each) == with_plain_micro(folded(unit)))
+      same.emplace_back(edit_distance(each, unit), each);
     // Of one letter everything is one letter away.
     if (each.size() > 1 && unit.size() > 1 && edit_distance(folded(each), folded(unit)) == 1)
       near.emplace_back(edit_distance(each, unit), each);
@@ -110,11 +130,14 @@ std::string advice_on_unknown_unit(std::string_view number, std::string_view uni
 }
 
 std::string_view before_peak_to_peak(std::string_view unit) {
-  for (const std::string_view end : peak_to_peak)
-    if (unit.size() > end.size() && unit.ends_with(end))
-      return trimmed(unit.substr(0, unit.size() - end.size()), " \t_,(");
-  return {};
+  return before_any(unit, peak_to_peak);
 }
+
+std::string_view before_root_mean_square(std::string_view unit) {
+  return before_any(unit, root_mean_square);
+}
+
+bool is_mistaken_unit(std::string_view unit) { return unit == "gr"; }
 
 std::string advice_on_comma(std::string_view number, std::string_view rest) {
   if (!rest.starts_with(',') || !is_digit_at(rest, 1)) return "";

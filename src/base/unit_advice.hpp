@@ -22,6 +22,13 @@ std::string advice_on_unknown_unit(std::string_view number, std::string_view uni
 /// What stands before "pp", "p-p", "peak to peak"; empty where the unit does not end so.
 std::string_view before_peak_to_peak(std::string_view unit);
 
+/// The same of "rms".
+std::string_view before_root_mean_square(std::string_view unit);
+
+/// Whether udunits knows the unit, but as another than people who write it: "gr" is the grain to
+/// it.
+bool is_mistaken_unit(std::string_view unit);
+
 /// How to write "0" and ",2 um" of "0,2 um", which has a decimal comma or one between thousands.
 std::string advice_on_comma(std::string_view number, std::string_view rest);
 

@@ -203,11 +203,17 @@ Explanation of_unknown_unit(double value, std::string_view unit, Dimension dimen
   const std::string_view number = trimmed(whole.substr(0, whole.size() - unit.size()), " \t");
   if (std::string advice = advice_on_comma(number, unit); !advice.empty())
     return {"a comma in a number", std::move(advice)};
-  const std::string rest(before_peak_to_peak(unit));
-  if (const Unit length = rest.empty() ? Unit() : parse_unit(rest))
-    if (dimension == Dimension::length && measures(length.get(), dimension))
-      return {"from peak to peak", fmt::format("an amplitude is half of peak to peak: \"{} {}\"",
-                                               to_text(value / 2), rest)};
+  const auto is_length = [&](const std::string& text) {
+    const Unit length = text.empty() ? Unit() : parse_unit(text);
+    return length && dimension == Dimension::length && measures(length.get(), dimension);
+  };
+  if (const std::string rest(before_peak_to_peak(unit)); is_length(rest))
+    return {"from peak to peak", fmt::format("an amplitude is half of peak to peak: \"{} {}\"",
+                                             to_text(value / 2), rest)};
+  if (const std::string rest(before_root_mean_square(unit)); is_length(rest))
+    return {"a root mean square",
+            fmt::format("the amplitude of a sine is sqrt(2) times that: \"{:.4g} {}\"",
+                        value * std::sqrt(2.0), rest)};
   return {fmt::format("unknown unit \"{}\"", unit),
           advice_on_unknown_unit(number, unit, dimension)};
 }
@@ -223,7 +229,7 @@ TypedNumber convert(double value, const Decimal& number, std::string_view unit, 
   const std::scoped_lock lock(units_mutex());
   const Unit from = parse_unit(std::string(unit));
   // To udunits the byte 0xFF is the end of a unit.
-  if (!from || printable(unit) != unit) {
+  if (!from || printable(unit) != unit || is_mistaken_unit(unit)) {
     const Explanation found = of_unknown_unit(value, unit, dimension, whole);
     refuse(found.why, found.advice);
   }

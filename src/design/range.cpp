@@ -30,7 +30,7 @@ void refuse_empty(const DesignQuestion& question, double from, double to) {
   if (from < to && std::isfinite(to)) return;
   throw InputError(argument("from, to"),
                    fmt::format("from {} to {} {}", from, to, unit_of(question.sought)),
-                   "a range that rises and ends");
+                   "a finite upper end above the lower end");
 }
 
 // Evenly from a to b, both included.

@@ -8,6 +8,7 @@
 
 #include "base/constants.hpp"
 #include "base/numbers.hpp"
+#include "base/rounded.hpp"
 #include "base/units.hpp"
 
 namespace vcrit::fit {
@@ -92,11 +93,12 @@ std::string elements(const Fit& fit) {
 std::string origin(const Fit& fit, const Data& data) {
   constexpr double hertz = two_pi;  // rad/s
   return fmt::format(
-      "# Prony series with {} branch{}, fitted by `vcrit fit` to {} frequencies of {}, {:.4g} to "
-      "{:.4g} Hz,\n# with a root mean square misfit of {:.2g} %.\n",
+      "# Prony series with {} branch{}, fitted by `vcrit fit` to {} frequencies of {}, {} to {},\n"
+      "# with a root mean square misfit of {:.2g} %.\n",
       fit.branches.size(), fit.branches.size() == 1 ? "" : "es", data.rows.size(),
       in_a_comment(std::filesystem::path(data.file).filename().string()),
-      data.rows.front().omega / hertz, data.rows.back().omega / hertz, 100 * fit.rms_relative);
+      rounded(data.rows.front().omega / hertz, "Hz"), rounded(data.rows.back().omega / hertz, "Hz"),
+      100 * fit.rms_relative);
 }
 
 }  // namespace

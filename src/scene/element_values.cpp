@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "base/identifiers.hpp"
 #include "scene/arithmetic.hpp"
 #include "scene/document.hpp"
 
@@ -52,11 +53,21 @@ std::vector<Warning> ElementValues::warnings() const {
   if (elements_ == nullptr) return all;
   for (const auto& [key, value] : *elements_) {
     const std::string name(key.str());
-    if (!uses_.contains(name) && !networks_.names().is_used(name) && !expressions_->is_used(name))
-      all.push_back({document::place_of(value, file_),
-                     fmt::format("element \"{}\" is in no network of this scene", name)});
+    if (uses_.contains(name) || networks_.names().is_used(name) || expressions_->is_used(name))
+      continue;
+    const auto meant = nearest(name, without_value());
+    all.push_back({document::place_of(value, file_),
+                   fmt::format("element \"{}\" is in no network of this scene{}", name,
+                               meant ? fmt::format("; did you mean \"{}\"?", *meant) : "")});
   }
   return all;
+}
+
+std::vector<std::string> ElementValues::without_value() const {
+  std::vector<std::string> names;
+  for (const auto& [name, use] : uses_)
+    if (elements_ == nullptr || !elements_->contains(name)) names.push_back(name);
+  return names;
 }
 
 // Where a network could not be read nobody knows what its elements are, but by their letters; and

@@ -57,6 +57,10 @@ const Form& form_by(Shape shape) {
 
 Indenter read_indenter(const document::Section& section, const std::filesystem::path& folder,
                        Quantities& quantities) {
+  if (section.find("shape") == nullptr)
+    throw InputError(section.place("shape"), "no shape in [indenter]",
+                     "shape = \"flat\", \"cone\", \"parabola\" (a sphere) or \"power\", or the "
+                     "file of a profile, as \"tip.csv\"");
   const std::string name = section.text("shape");
   const Form& form = form_named(name);
   std::vector<std::string> keys{"shape"};

@@ -129,7 +129,11 @@ std::string contact_section(const NewScene& scene, const Rheology& rheology) {
 }
 
 std::string drive_sections(const NewScene& scene) {
-  if (!scene.drive) return "# No [drive]: a rigid drive, whose speed is that of the contact.\n";
+  if (!scene.drive)
+    return "# No [drive]: a rigid drive, whose speed is that of the contact.\n"
+           "\n# Where a tip's radius and moduli are known, not stiffnesses, take the marks off, and\n"
+           "# give moduli (\"2.9 GPa\") and viscosities (\"3.5 kPa.s\") to the elements below:\n"
+           "# [indenter]\n# shape = \"parabola\"\n# radius = \"5 mm\"\n";
   const Rheology& rheology = rheology_of_part(*scene.drive, "drive");
   std::string text = "[drive]\n" +
                      comment(fmt::format("Between the {} and the end that moves: {}.",

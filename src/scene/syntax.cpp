@@ -69,6 +69,20 @@ std::string advice_on_bare(const KeyAndValue& line, std::string_view value) {
   return number.length > 0 ? advice_on_comma(value.substr(0, number.length), behind) : "";
 }
 
+// A text in plain quotes, of one line, that goes on to its end.
+bool lacks_end(std::string_view value) {
+  return value.starts_with('"') && !value.starts_with("\"\"\"") && value.find('"', 1) == value.npos;
+}
+
+// The name in toml++'s "cannot redefine existing string 'frequency'"; empty of other errors.
+std::string defined_twice(std::string_view description) {
+  const std::size_t begin = description.find("cannot redefine existing");
+  const std::size_t open = begin == description.npos ? begin : description.find('\'', begin);
+  const std::size_t close = open == description.npos ? open : description.find('\'', open + 1);
+  if (close == description.npos) return {};
+  return std::string(description.substr(open + 1, close - open - 1));
+}
+
 }  // namespace
 
 InputError syntax_error(const std::string& text, const Place& place,
@@ -81,6 +95,12 @@ InputError syntax_error(const std::string& text, const Place& place,
   if (const std::string advice = found ? advice_on_bare(*found, value) : ""; !advice.empty())
     return {place, fmt::format("{} = {}", found->key, value), "a number, or a text in quotes",
             advice};
+  if (found && lacks_end(found->value))
+    return {place, fmt::format("{} = {} without its closing quote", found->key, found->value),
+            "a text in quotes", fmt::format("write {} = {}\"", found->key, value)};
+  if (const std::string twice = defined_twice(description); !twice.empty())
+    return {place, fmt::format("\"{}\" for the second time", twice), "each name once",
+            "leave one of them out"};
   return {place, fmt::format("no TOML ({})", description), "a scene in TOML"};
 }
 

@@ -101,6 +101,22 @@ class Check(Case):
         self.assertIn("these commands answer: derive, generate\n", told)
         self.assertIn("no value for k_of_pad", told)
 
+    def test_an_element_of_another_case_is_the_one_that_is_missing(self):
+        scene = self.write((PROJECT / "scenes/zener.toml").read_text().replace('k1 = "4 N/um"', 'K1 = "4 N/um"'))
+        told = self.out("check", scene)
+        self.assertIn('element "K1" is in no network of this scene; did you mean "k1"?', told)
+
+    def test_what_toml_cannot_read_is_named(self):
+        zener = (PROJECT / "scenes/zener.toml").read_text()
+        for wrong, line, words in [
+                ('k1 = "4 N/um', 27, 'k1 = "4 N/um without its closing quote; expected a text in quotes; write k1 = "4 N/um"'),
+                ('k1 = "4 N/um # stiff', 27, 'write k1 = "4 N/um"'),
+                ('k0 = "4 N/um"', 27, '"k0" for the second time; expected each name once; leave one of them out'),
+                ("[friction]", 27, '"friction" for the second time')]:
+            told = self.out("check", self.write(zener.replace('k1 = "4 N/um"', wrong)), status=2)
+            self.assertRegex(told, rf"s\.toml:{line}:\d+ +error +")
+            self.assertIn(words, told)
+
     def test_bare_numbers_of_another_size(self):
         scene = self.write(re.sub("frequency.*", "frequency = 28", (PROJECT / "scenes/kelvin.toml").read_text(), count=1))
         told = self.out("check", scene)
@@ -140,6 +156,18 @@ class New(Case):
         text = self.out("new", "--rheology", rheology, "--drive", drive, *words)
         self.assertEqual(("[body]" in text, "[drive]\n" in text), (body, drive != "rigid"))
         return self.write(self.filled(text), f"{rheology}_{drive}_{body}.toml")
+
+    def test_a_tip_and_moduli_from_a_data_sheet(self):
+        text = self.filled(self.out("new"))
+        for mark in ('[indenter]', 'shape = "parabola"', 'radius = "5 mm"', '[load]', 'force = "50 N"'):
+            text = text.replace(f"# {mark}", mark)
+        for name, value in (("k0", "2.9 GPa"), ("k1", "0.6 GPa"), ("c1", "3.5 kPa.s")):
+            text = re.sub(f'{name} = "[^"]*"', f'{name} = "{value}"', text)
+        scene = self.write(re.sub("indentation = .*", "", text))
+        self.assertIn("no problems; these commands answer: derive, eval, generate, simulate", self.out("check", scene))
+        self.assertNotIn("[indenter]", self.out("new", "--drive", "spring"))
+        self.assertIn('no shape in [indenter]; expected shape = "flat", "cone",',
+                      self.out("check", self.write(text.replace('shape = "parabola"', "")), status=2))
 
     def test_every_scene_is_well_formed_once_it_is_filled_in(self):
         rheologies, drives = self.choices("rheology"), self.choices("drive")

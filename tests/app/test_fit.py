@@ -69,6 +69,7 @@ class Fit(Case):
         self.write(text, "data.csv")
         self.refused(2, ["fit", "data.csv", "--out", "a.toml"], "found storage_modulus in MPa, a modulus")
         self.refused(2, ["fit", "data.csv", "--out", "a.toml", "--punch-radius", "1 mm"], "expected --poisson as well")
+        self.refused(2, ["fit", "data.csv", "--out"], "--out: found no value;")
         self.refused(2, ["fit", "data.csv", "--out", "a.toml", "--punch-radius", "0", "--poisson", "0.3"],
                      "expected a length above 0")
         self.refused(2, ["fit", "data.csv", "--out", "a.toml", "--punch-radius", "1 mm", "--poisson", "0.6"],

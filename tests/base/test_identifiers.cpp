@@ -31,6 +31,7 @@ BOOST_AUTO_TEST_CASE(the_nearest_name_is_the_one_meant) {
   BOOST_TEST(nearest("norml", {"normal", "poisson", "tangential"}).value() == "normal");
   BOOST_TEST(nearest("zenner", {"kelvin", "zener"}).value() == "zener");
   BOOST_TEST(!nearest("xyzzy", {"normal", "poisson"}).has_value());
+  BOOST_TEST(nearest("K1", {"c1", "k1"}).value() == "k1");
 }
 
 BOOST_AUTO_TEST_CASE(a_beginning_is_enough_where_one_name_has_it) {

@@ -151,6 +151,23 @@ BOOST_AUTO_TEST_CASE(peak_to_peak_is_halved) {
   BOOST_TEST(!has(message("12 um pp", Dimension::mass), "half"));
 }
 
+BOOST_AUTO_TEST_CASE(a_root_mean_square_becomes_an_amplitude) {
+  for (const char* text : {"100 nm rms", "100 nm RMS", "100 nm (rms"})
+    BOOST_TEST(has(message(text, Dimension::length), "is sqrt(2) times that: \"141.4 nm\""));
+  BOOST_TEST(!has(message("100 N rms", Dimension::length), "sqrt"));
+}
+
+// To udunits "gr" is the grain, 65 mg.
+BOOST_AUTO_TEST_CASE(a_grain_is_no_gram) {
+  BOOST_TEST(has(message("5 gr", Dimension::mass), "unknown unit \"gr\""));
+  BOOST_TEST(has(message("5 gr", Dimension::mass), "did you mean \"5 g\""));
+  BOOST_TEST(parse_quantity("1 grain", Dimension::mass, {"m"}) == 6.479891e-5);
+}
+
+BOOST_AUTO_TEST_CASE(a_space_within_a_unit_is_seen) {
+  BOOST_TEST(has(message("0.5 \u00b5 m", Dimension::length), "did you mean \"0.5 um\"?"));
+}
+
 BOOST_AUTO_TEST_CASE(a_modulus_needs_a_length) {
   using enum Dimension;
   BOOST_TEST(has(message("0.5 MPa", stiffness), "k = 2 a E/(1 - nu^2)"));
