@@ -22,8 +22,8 @@ namespace vcrit::app {
 
 namespace {
 
-// The formula against both witnesses: where steady sliding ceases to exist (`simulated`), and where
-// the last stick of a start at rest vanishes.
+// The formula against two independent simulations: the lowest speed of steady sliding
+// (`simulated`), and the highest speed at which a motion that starts at rest still sticks.
 struct CriticalComparison {
   double formula, condition, simulated;
   double sliding_from = formula;  // where the formula has a drive that swings freely slide already
@@ -63,8 +63,9 @@ struct CriticalComparison {
   }
 };
 
-// By how much v* changes with all its numbers together, as shares. Where an absorber keeps the
-// drive's end still, the stiffness of the drive has no digits, but v* and the motion have all.
+// The relative change of v* with all its numbers together. The condition number of the formula
+// would be infinite where an absorber keeps the drive's end still, though v* and the motion lose no
+// digit.
 double condition_by_derivatives(const Problem& problem) try {
   double sum = 1;
   for (const auto& [symbol, value] : problem.values())
@@ -74,7 +75,7 @@ double condition_by_derivatives(const Problem& problem) try {
   return std::numeric_limits<double>::infinity();
 }
 
-// At an antiresonance that is one in doubles, too, nothing is lost: both have to be 0.
+// At an exact antiresonance of the doubles no digit is lost: formula and simulation both give 0.
 double condition_of(const Problem& problem, double formula) {
   const double condition = condition_number(problem, problem.values());
   if (formula == 0 && std::isinf(condition)) return 0;

@@ -18,7 +18,7 @@ namespace {
 using symbolic::Format;
 using symbolic::ResultForm;
 
-/// A format, and the system where it is one.
+/// A format, with the computer algebra system that reads it, if one does.
 struct FormatChoice {
   Format format = Format::text;
   std::string system = {};

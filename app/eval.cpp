@@ -79,13 +79,13 @@ Evaluation evaluated(const Problem& problem) {
   return result;
 }
 
-// A formula of several steps has no place among numbers.
+// Among numbers there is no room for a formula of several steps.
 std::string brief(const std::string& fact) {
   constexpr std::size_t room = 78;  // beside the headings, on a wide terminal
   return fact.size() <= room ? fact : fact.substr(0, fact.find(": ")) + " (vcrit derive shows it)";
 }
 
-// Where the formula does not describe the motion, what it gives is said to be that.
+// Where the formula does not describe the motion, the line says so.
 std::string velocity_words(const Evaluation& result, int digits) {
   const double critical = result.critical.contact_velocity;
   if (!result.reasons.empty())

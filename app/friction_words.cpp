@@ -13,7 +13,7 @@ namespace vcrit::app {
 
 namespace {
 
-// Below this nobody would say that friction is lower; methods that march are this far off.
+// A smaller reduction counts as none: time-stepping methods are off by as much.
 constexpr double negligible_reduction = 1e-9;
 
 std::string ratio_words(const Speed& speed, int digits) {

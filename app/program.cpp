@@ -86,7 +86,7 @@ int complain(Failure failure, bool json) {
   return failure.status;
 }
 
-/// Wherever it stands: what cannot be read is told in the same way.
+/// At any place of the command line, so that errors in the command line are told as JSON, too.
 bool asks_for_json(int argc, char** argv) {
   return std::any_of(argv + 1, argv + argc,
                      [](const char* word) { return std::string_view(word) == "--json"; });

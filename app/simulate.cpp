@@ -146,11 +146,12 @@ void print_power(const EnergyBalance& energy, double omega, int digits) {
 
 void print_starts(const simulation::OtherStart& other, int digits) {
   print_row("starts",
-            other.agrees ? "from rest and from sliding, the motion becomes the same"
-                         : fmt::format("DISAGREE: the other one ends in a friction ratio of {}, {}",
-                                       friction_ratio_words(other.friction_ratio,
-                                                            other.friction_ratio_error, digits),
-                                       regime_words(other.regime)));
+            other.agrees
+                ? "from rest and from sliding, the motion becomes the same"
+                : fmt::format("DISAGREE: the other start leads to a friction ratio of {}, {}",
+                              friction_ratio_words(other.friction_ratio, other.friction_ratio_error,
+                                                   digits),
+                              regime_words(other.regime)));
 }
 
 void print_load(const std::optional<UnderLoad>& load, int digits) {
@@ -212,7 +213,7 @@ SimulationAnswer answer_of(const SimulateOptions& options, const Problem& proble
   return answer;
 }
 
-// Of the whole; what the cells do is told beside it.
+// Friction of the whole contact, with what its cells do.
 SimulationAnswer answer_below_indenter(const SimulateOptions& options, const Problem& problem) {
   if (!options.method.is_exact())
     rules::require(rules::Question::other_methods, problem, options.method.name() + " ");

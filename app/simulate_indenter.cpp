@@ -31,13 +31,13 @@ namespace vcrit::app {
 
 namespace {
 
-// A table that is seen at one glance.
+// Few enough that the table fits on a screen.
 constexpr int shown_cells = 8;
 
-// Each steady value is promised to 1e-9, and both may be off.
+// The steady value from each start may be off by 1e-9.
 constexpr double starts_tolerance = 2e-9;
 
-// As many as the default tolerance leaves.
+// With the default tolerance further digits are not known.
 constexpr int cell_digits = 9;
 
 }  // namespace

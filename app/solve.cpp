@@ -173,7 +173,7 @@ void run_solve(const SolveOptions& options) {
   const DesignAnswer answer = design::solve(question);
   for (const std::string& warning : unstated_error(question.problem))
     warn_of_answer(question, warning);
-  // The smallest frequency is one because all below it were asked.
+  // The smallest frequency rests on all frequencies below it, which were searched, too.
   if (question.sought == Sought::frequency)
     if (const auto beyond =
             beyond_fitted_range(question.problem, two_pi * answer.from, two_pi * answer.value))

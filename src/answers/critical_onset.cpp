@@ -32,16 +32,16 @@ bool holds_formula(const Problem& problem) {
   return bool{rules::answer(rules::Question::formula, problem)};
 }
 
-// Harmonics above this are not looked for below a drive with masses. As many as there may be, they
-// take less than 1e-4 off the border of sliding: Fejer's measure has no mean of any swing above N,
-// and one of cos(pi/(N + 2)) of the oscillation.
+// A drive with masses is searched for free swings up to this harmonic N. However many there are
+// above it, they lower the border of sliding by less than 1e-4: under Fejer's measure harmonics
+// above N have mean 0, and the oscillation has the mean cos(pi/(N + 2)).
 constexpr int highest_harmonic = 221;
 
-// So close to a frequency at which a mass keeps its end still that K_d has no digits, it is
-// infinite.
+// With a condition number above this K_d has no digits left and counts as infinite: a mass of the
+// drive keeps its end still.
 constexpr double ill_conditioned = 1e8;
 
-// What the elements have of stiffness, damping and inertia, all of it.
+// Sums of stiffness, damping and mass over all elements of the drive.
 struct DriveParts {
   DriveParts(const Network& drive, const Values& values) {
     for_each_element(drive, [&](const Element& element) {

@@ -21,7 +21,7 @@ namespace {
 
 using rules::Question;
 
-// Where a search for the largest amplitude begins: far below it.
+// The search for the largest amplitude begins at this share of it, where the contact is closed.
 constexpr double least_share = 1e-3;
 
 Question motion_question(const Problem& problem) {
@@ -108,27 +108,28 @@ void velocities_of(const CriticalOnset& onset, Effect& effect) {
   effect.why_infinite = onset.reason;
 }
 
-// The contact sticks all but the instant at which its normal force is least, and carries mu0 times
-// that.
+// At vanishing speed the contact slips only at the instant of least normal force, so friction is
+// mu0 times that force.
 double limit_at_rest(const Effect& effect) {
   return std::max(0.0, 1 - effect.amplitude / *effect.largest_closed_amplitude);
 }
 
-// A body that sticks and swings for ever at a harmonic may carry more, however low the speed.
+// A body that oscillates undamped at a harmonic while it sticks may carry more at any speed.
 void require_rest(const Problem& problem) {
-  constexpr double most_ringing = 1e6;  // beyond, the limit is met at speeds of no use alone
+  // Above this the limit is reached only at speeds too low to matter.
+  constexpr double most_ringing = 1e6;
   if (ringing(simulation::system_of(problem)) < most_ringing) return;
   throw ModelError(
       "the body is in undamped resonance while it sticks, so friction at rest has no known limit");
 }
 
-// So slow that friction below an indenter is its limit at rest, to 1e-9.
+// In units of v*: at this speed friction below an indenter equals its limit at rest to 1e-9.
 constexpr double nearly_at_rest = 1e-9;
-// Part of a second: whoever asks for v* gets it soon, if need be without the lowest friction.
+// Part of a second. If the lowest friction takes longer, v* is given without it.
 constexpr std::size_t effort_of_lowest = 40'000'000;
 
-// On a drive that gives all cells stick at rest, too, but where the normal force is least. A body
-// that rings while they do may carry more, for ever without a damper.
+// On a drive that gives, too, all cells stick at vanishing speed except at the instant of least
+// normal force. A body that rings meanwhile may carry more, and without a damper it rings for ever.
 void lowest_on_drive(const Problem& problem, Effect& effect) {
   const indenter::HalfSpace half_space(problem);
   if (half_space.holder()->rings())
@@ -153,7 +154,7 @@ void lowest_of_contact(const Problem& problem, Effect& effect) {
   effect.lowest = effect.opens ? 0 : limit_at_rest(effect);
 }
 
-// On a path that creeps it is that of the creep, which is no vibration's work.
+// On a path that creeps, friction at vanishing speed is that of creep, with or without vibration.
 void find_lowest(const Problem& problem, Effect& effect) {
   const bool lowers = effect.kind == Effect::Kind::lowers;
   const rules::Answer moves = rules::answer(motion_question(problem), problem);

@@ -87,7 +87,8 @@ std::string pressed_words(const Effect& effect, int digits) {
     text += fmt::format(", under which the contact sinks at {}",
                         rounded(*effect.sinking_velocity, "m/s", digits));
   if (effect.indentation)
-    text += fmt::format(" ({} indentation)", rounded(*effect.indentation, "m", digits));
+    text += fmt::format(" ({} {})", rounded(std::abs(*effect.indentation), "m", digits),
+                        *effect.indentation < 0 ? "mean gap" : "indentation");
   return text;
 }
 

@@ -18,8 +18,8 @@ class SteadyFriction {
   /// Throws InputError for missing values, ModelError where the scene has no motion that is known.
   explicit SteadyFriction(const Problem& problem);
 
-  /// At one velocity of the drive, m/s, > 0. Below an indenter of the whole, without events and
-  /// from both starts. Throws ModelError where no steady state is found.
+  /// At one velocity of the drive, m/s, > 0. Below an indenter: of the whole contact, without
+  /// events, compared from rest and from sliding. Throws ModelError where no steady state is found.
   simulation::SteadyState at(double velocity,
                              simulation::Start start = simulation::Start::sliding) const;
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int last_harmonic = 100;
 
-// Of a body's end that the contact holds, too, for a force on it.
+// Displacement per force of the body's end, which drive and contact hold.
 std::complex<double> stuck_way(const DriveStructure& structure, std::complex<double> contact,
                                double omega) {
   const auto ways = displacements(structure, {0, omega});

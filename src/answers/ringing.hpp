@@ -1,12 +1,13 @@
-// A body that sticks and swings on contact and drive.
+// How a body oscillates on contact and drive while the contact sticks.
 #pragma once
 
 #include "simulation/system/system.hpp"
 
 namespace vcrit {
 
-/// How many times its way at rest a body swings that sticks and is pushed at a harmonic of the
-/// oscillation: 1 without a body, infinite in an undamped resonance.
+/// The largest dynamic amplification of a body whose contact sticks: its displacement under a force
+/// at a harmonic of the oscillation over that under a constant force. 1 without a body, infinite in
+/// an undamped resonance.
 double ringing(const simulation::System& system);
 
 }  // namespace vcrit

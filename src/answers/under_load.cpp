@@ -21,7 +21,7 @@ void fields(record::Fields& f, const BelowMount& it) {
 
 namespace {
 
-// The force of a contact that opens has harmonics, and so has the height below a mount that gives.
+// The force of a contact that opens has harmonics, which move the place below a mount as well.
 bool swings_with_harmonics(const Problem& problem) {
   return problem->mount && problem->separation && rules::Facts(problem).opens();
 }

@@ -65,7 +65,7 @@ double left_out(const HalfSpace& half_space) {
          std::abs(simulation::mean_normal_force(half_space.cell(edge)));
 }
 
-// What all cells find together, within the work that may be spent on them.
+// Collects the results of all cells, within a limit of total work.
 template <class Find>
 auto within_effort(const HalfSpace& given, const Find& find) {
   simulation::SharedEffort effort(simulation::effort_of_cells, given.effort());

@@ -18,10 +18,10 @@ constexpr double longest_step = 0.4, first_step = 0.05;
 // the margin by some 1e-3 of its changes at most; a longer one is seen.
 constexpr int asked_of_step = 16;
 
-// Of a phase: rounding.
+// Rounding error of a phase.
 constexpr double no_time = 1e-12;
 
-// So many events without time going on are none of a motion.
+// More events at one instant than any motion has.
 constexpr int most_at_once = 50;
 
 }  // namespace

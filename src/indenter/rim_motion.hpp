@@ -13,7 +13,7 @@ namespace vcrit::indenter {
 /// Which cells slide: all from a rim on in one direction, none, or there are none at all.
 enum class RimMode { forward, backward, stick, apart };
 
-/// What a motion has shown.
+/// What is known of a motion so far.
 struct Shown {
   bool stick = false, backslip = false;
   /// The longest time in which no cell remembered anything, and its middle.

@@ -227,7 +227,7 @@ CausalFit with_rows_at_fault(const Rows& rows, Index pairs, CausalFit fit) {
 }  // namespace
 
 CausalFit best_causal_fit(const Rows& all) {
-  // Poles need no more rows than that; what is left is asked of all.
+  // These rows are enough to find the poles; the residuals are taken at all rows.
   constexpr Index most_rows = 500;
   const Rows rows = thinned(all, most_rows);
   // A pair has two poles and two residues: more pairs than that no row could contradict.

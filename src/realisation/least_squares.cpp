@@ -40,7 +40,7 @@ class Descent {
     return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
   }
 
-  // Three steps in a row that gain less are at the end of a valley.
+  // After three such small gains in a row the search ends.
   static constexpr double little_gain = 1e-4;
   // A parameter that enters by its square has no derivative at 0: a step by its own scale would be
   // without bound, and rejected until no other one is left to move. A millionth of the largest

@@ -58,7 +58,7 @@ Rows rows_of(const Receptance& table) {
     rows.omega[i] = row.omega / rows.frequency_unit;
     rows.value[i] = std::complex(row.re / rows.value_unit, row.im / rows.value_unit);
     const double size = std::abs(rows.value[i]);
-    // A row that says 0 says it in its last digit only: it is no measure of relative errors.
+    // A row of value 0 has no relative error, so it gets no weight.
     rows.weight[i] = size > 0 && std::isfinite(1 / size) ? 1 / size : 0;
   }
   return rows;

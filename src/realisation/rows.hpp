@@ -27,10 +27,10 @@ struct Rows {
 /// Throws InputError for a table without a value that is finite and not 0.
 Rows rows_of(const Receptance& table);
 
-/// At most `most` of them: where the curve bends and elsewhere evenly.
+/// At most `most` rows: more of them where the curve bends, elsewhere evenly spaced.
 Rows thinned(const Rows& rows, Eigen::Index most);
 
-/// The rows whose places are given, in their order.
+/// The rows with these indices, in their order.
 Rows chosen(const Rows& rows, const std::vector<Eigen::Index>& places);
 
 }  // namespace vcrit::realisation

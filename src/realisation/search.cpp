@@ -16,7 +16,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// Numbers of rounding's size are all the same misfit.
+// Misfits of the size of rounding errors count as equal.
 constexpr double least_misfit = 1e-13;
 // What the least tau leaves of a spring that does not relax (keep_in_reach), which no mode is to
 // mend.
@@ -181,7 +181,8 @@ const Candidate& least(const std::vector<Candidate>& all, std::optional<Index> m
   return *best;
 }
 
-// One more always does as well; one less where the noise hides what it lacks.
+// A structure of one mode more fits at least as well; one of a mode less may, if noise hides that
+// mode.
 bool allowed(const Candidate& rival, const Candidate& best) {
   constexpr double slack = 1.3;
   return !(rival.shape == best.shape) && std::isfinite(rival.sum) &&

@@ -63,7 +63,7 @@ Structure structure_with(const Rows& rows, const std::vector<Resonance>& modes) 
   Index largest = 0;
   springs.maxCoeff(&largest);
   structure.tau = times[static_cast<std::size_t>(largest)];
-  // 0 would be a place where no derivative leads away.
+  // At 0 all derivatives vanish, and the search would not leave it.
   structure.alpha = std::sqrt(std::max(springs.sum(), 1e-6));
   for (Index k = 0; k < count; ++k) {
     const auto& [w, damping] = modes[static_cast<std::size_t>(k)];
@@ -220,7 +220,7 @@ std::vector<Structure> first_starts(const Rows& rows, Index modes, const Structu
   std::vector<Structure> starts;
   for (const bool by_factor : {false, true}) {
     starts.push_back(from_causal_fit(rows, modes, by_factor));
-    // Damping that is not modal is easily taken for a relaxing spring.
+    // A fit easily mistakes damping that is not modal for a relaxing spring.
     starts.push_back(starts.back());
     starts.back().tau = relaxation_times(rows).front();
   }

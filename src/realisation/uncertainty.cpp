@@ -15,7 +15,7 @@ using Eigen::VectorXd;
 // Rows are thinned as in the search; refits start from the fit and are a few steps from their end.
 constexpr int refit_count = 12, refit_steps = 8;
 constexpr Index most_rows = 400;
-// Of a mode that nobody saw: as sharp as mounted metal parts are.
+// Damping of an unseen mode: as low as that of mounted metal parts.
 constexpr double hidden_damping = 0.05;
 
 Rows with_noise(const Rows& rows, const Structure& structure, double noise, Deviates& deviates) {
@@ -52,7 +52,7 @@ Uncertainty::Uncertainty(const Rows& rows, const FoundStructures& found, double 
   drift();
 }
 
-// 3 standard deviations, and a little since the steps have not come to their end.
+// 3 standard deviations, and some more as the steps have not fully converged.
 double Uncertainty::allowed_sum() const { return 1.02 * sum_ + 10 * spread_ * spread_; }
 
 // Where the rows end early the misfit is a valley: along some directions of the parameters it

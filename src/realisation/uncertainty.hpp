@@ -38,7 +38,7 @@ class Uncertainty {
   void drift();
   double allowed_sum() const;
   double largest_compliance_above() const;
-  /// What one that nobody saw may be, and what the others take of one with phi^2 = 1.
+  /// How large an unseen mode may be, and how much of a mode with phi^2 = 1 the others absorb.
   struct Hidden {
     Mode mode;
     Eigen::VectorXd taken;
