@@ -37,16 +37,23 @@ std::vector<std::string> command_names(const std::vector<const CLI::App*>& comma
   return names;
 }
 
+/// Those of its groups, which have no name, too.
 std::vector<std::string> long_options(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options())
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  for (const CLI::App* group :
+       command.get_subcommands([](const CLI::App* each) { return each->get_name().empty(); }))
+    for (const std::string& name : long_options(*group))
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   return names;
 }
 
+std::string did_you_mean(const std::string& name) { return fmt::format("did you mean {}?", name); }
+
 std::string meant(const std::string& word, const std::vector<std::string>& names) {
   const auto found = nearest(word, names);
-  return found ? fmt::format("did you mean {}?", *found) : advice;
+  return found ? did_you_mean(*found) : advice;
 }
 
 /// The command that the line begins with, or the program itself.
@@ -79,17 +86,17 @@ InputError not_expected(const CLI::App& program, const std::string& first) {
   const CLI::App& command = asked_of(program, first);
   const std::string word = too_many(program.remaining(true));
   if (!names_option(word)) return {{whole_line}, word, room_for(command), advice};
-  return {{whole_line},
-          word,
-          "the arguments that --help lists",
-          meant(word_of_option(word), long_options(command))};
+  const std::vector<std::string> options = long_options(command);
+  if (const auto found = nearest(word_of_option(word), options))
+    return {{whole_line}, word, "the arguments that --help lists", did_you_mean(*found)};
+  return {{whole_line}, word, fmt::format("one of {}", fmt::join(options, ", ")), advice};
 }
 
 /// An option before any command: one of the program, or one that belongs behind its command.
 InputError option_first(const CLI::App& program, const std::string& first) {
   const std::string word = word_of_option(first);
   const auto own = nearest(word, long_options(program));
-  if (own) return {{whole_line}, first, "a command", fmt::format("did you mean {}?", *own)};
+  if (own) return {{whole_line}, first, "a command", did_you_mean(*own)};
   return {{whole_line}, first, "a command before its options", "vcrit COMMAND --help lists them"};
 }
 
@@ -181,6 +188,8 @@ InputError in_parts(const CLI::ParseError& error, const CLI::App& program,
   if (colon == std::string::npos)
     return {{whole_line}, text, "a command line as --help shows it", advice};
   std::string found = text.substr(colon + 2), expected = "a value as --help shows it";
+  if (found.find(" required ") != std::string::npos && found.ends_with(" missing"))
+    found = "no value";
   for (const auto& [between, such] :
        {std::pair{"; expected ", ""}, std::pair{" not in range ", "a number in the range "},
         std::pair{" not in ", "one of "}})

@@ -161,7 +161,8 @@ class Help(Case):
         for arguments, meant in [
                 (["--vesion"], "--version"), (["--completion", "bsh"], "bash"), (["new", "a.toml", "--rheology", "zner"], "zener"),
                 (["derive", ZENER, "--format", "latx"], "latex"), (["solve", ZENER, "--for", "amplitud"], "amplitude"),
-                (["simulate", ZENER, "--method", "rk45", "--velocity", "1"], "rkf45"), (["eval", ZENER, "--digts=3"], "--digits")]:
+                (["simulate", ZENER, "--method", "rk45", "--velocity", "1"], "rkf45"), (["eval", ZENER, "--digts=3"], "--digits"),
+                (["simulate", ZENER, "--velocty", "1"], "--velocity")]:
             self.refused(2, arguments, f"did you mean {meant}?")
 
     def test_all_that_is_missing(self):
@@ -178,7 +179,7 @@ class Help(Case):
 
     def test_too_much(self):
         self.refused(2, ["eval", ZENER, "other.toml"], "found other.toml; expected one SCENE")
-        self.refused(2, ["plot", ZENER, "--over", "frequency"], "found --over; expected the arguments that --help lists")
+        self.refused(2, ["plot", ZENER, "--over", "frequency"], "found --over; expected one of --help, --set, --of, --to,", "--velocity, --velocity-ratio; run")
         self.refused(2, ["--digits", "3", "eval", ZENER], "found --digits; expected a command before its options")
 
     def test_languages_by_short_names(self):
