@@ -49,7 +49,9 @@ bool follows_without_memory(const Problem& problem) {
   return problem->indenter || (isotropic(problem) && problem->rigid() && !problem->mount);
 }
 
-// As far as that decides what v* is: the motion of the others is not known at all.
+// Whether the contact may open and its motion is known when it does. It is not known for a vibrator
+// on a mount that holds a mass or carries no load, nor for an indenter on a drive that gives: the
+// rulebook refuses those, so they are neither kind of separation.
 bool parts_with_a_motion(const Problem& problem) {
   return problem->separation && !(problem->mount && (problem->mount_mass || !problem->load)) &&
          !indenter_on_drive(problem);

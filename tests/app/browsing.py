@@ -26,7 +26,7 @@ CHARTS = """return [...document.querySelectorAll('.chart')].map((chart) => {
         x: ticks('x'), y: ticks('y'), right: ticks('right'),
         titles: all('.axis .title', (title) => title.textContent),
         legend: all('.legend .entry', (entry) => entry.textContent),
-        series: all('.series path', (path) => path.getAttribute('d')),
+        series: all('.series path:not(.edge)', (path) => path.getAttribute('d')),
         map: all('.map path', (path) => [path.getAttribute('fill'), path.getAttribute('d')]),
         inner: Number(chart.querySelector('clipPath rect').getAttribute('width')),
     };

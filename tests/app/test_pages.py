@@ -19,6 +19,20 @@ from program import PROGRAM, PROJECT
 SCENES = ["zener", "inadmissible", "sonotrode"]
 PHONE, DESK = 390, 1200  # pixels
 
+# Words that stand on a curve of the chart of v* over frequency; how many words there are, and how many rules.
+ON_CURVES = """
+    const svg = document.querySelector('#critical_velocity .chart > svg'), found = [];
+    const texts = [...svg.querySelectorAll('.words text')].map((text) => [text.textContent, text.getBoundingClientRect()]);
+    for (const path of svg.querySelectorAll('.series path')) {
+        const place = path.getScreenCTM();
+        for (let at = 0; at < path.getTotalLength(); at += 2) {
+            const { x, y } = path.getPointAtLength(at).matrixTransform(place);
+            for (const [words, box] of texts)
+                if (x > box.left + 2 && x < box.right - 2 && y > box.top + 3 && y < box.bottom - 4) found.push(words);
+        }
+    }
+    return [[...new Set(found)], texts.length, svg.querySelectorAll('.rule').length];"""
+
 # A compiler that compiles nothing: what it should have compiled is a check that failed.
 BROKEN_COMPILER = "#!/bin/sh\necho broken >&2\nexit 1\n"
 
@@ -106,6 +120,28 @@ class Pages(unittest.TestCase):
             self.assertAlmostEqual(newtons["range"][1] / y["range"][1], force, delta=1e-5)  # six digits of a record
 
     # Two sheets, on which the chart and the formula are; the explorer is not.
+    def test_words_of_resonances_keep_off_the_curve(self):
+        for page in ("zener", "sonotrode"):
+            for width in (DESK, PHONE):
+                self.open(page, width)
+                with self.subTest(page=page, width=width):
+                    crossed, words, rules = self.script(ON_CURVES)
+                    self.assertEqual(crossed, [])
+                    self.assertEqual(words, rules)
+
+    # A map is light in the dark, too.
+    def test_lines_on_a_map_are_dark(self):
+        strokes = """return [...document.querySelectorAll('.map ~ .series path:not(.edge)')].map((path) =>
+            getComputedStyle(path).stroke)"""
+        for scheme in ("light", "dark"):
+            self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [
+                {"name": "prefers-color-scheme", "value": scheme}]})
+            self.addCleanup(self.browser.execute_cdp_cmd, "Emulation.setEmulatedMedia", {"features": []})
+            self.open("zener.evidence")
+            found = set(self.script(strokes))
+            self.assertLessEqual({"rgb(179, 38, 30)", "rgb(29, 33, 38)"}, found)  # resonance, antiresonance
+            self.assertNotIn("rgb(228, 231, 234)", found)
+
     def test_two_sheets_of_paper(self):
         for page in ["zener", "inadmissible"]:
             self.open(page)

@@ -122,6 +122,25 @@ BOOST_AUTO_TEST_CASE(the_page_shows_failures_worst_inputs_and_what_is_left_out) 
     BOOST_TEST(has(html, std::string("id=\"") + id + "\""), id);
 }
 
+BOOST_AUTO_TEST_CASE(what_all_maps_show_is_said_once) {
+  Accuracy all = example();
+  all.maps[0].layers.push_back(all.maps[0].layers[0]);
+  all.maps[0].layers[1].key = "fast";
+  const std::string html = section_of(all), once = "Each cell is one frequency and one factor on k;";
+  BOOST_TEST(has(html, "id=\"map_stiffness_fast\""));
+  BOOST_TEST((html.find(once) != html.npos && html.find(once) == html.rfind(once)));
+  all.maps[0].layers = {{"formula", "Eq. 24 in doubles", {0, 0, 0, 0}, {}}};
+  BOOST_TEST(!has(section_of(all), once));  // nothing to see in maps without a loss
+}
+
+BOOST_AUTO_TEST_CASE(numbers_have_no_e_of_programs) {
+  Accuracy all = example();
+  all.evaluators.ways[1].nanoseconds = 1.04e4;
+  all.evaluators.ways[1].worst = 4.58e11;
+  const std::string html = section_of(all);
+  BOOST_TEST(has(html, "<td>10.4 µs</td><td>4.58 × 10¹¹</td>"));
+}
+
 BOOST_AUTO_TEST_CASE(a_scene_without_a_body_does_not_hear_of_resonance) {
   Accuracy all = example();
   all.maps[0].lines.clear();

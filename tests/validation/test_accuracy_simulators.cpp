@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(wrong_answers_and_missed_sticks_fail) {
   BOOST_TEST(judged(0.8005, true, allowing(1e-3)).failure == "");
   BOOST_TEST(judged(0.9, true, allowing(1e-3)).failure == "wrong: off by 1.0e-01, allowed 1.0e-03");
   BOOST_TEST(judged(0.8, false, allowing(1e-3)).failure ==
-             "misses the stick: answers pure sliding");
+             "misses the sticking phase: answers continuous sliding");
   BOOST_TEST(judged(NAN, true, allowing(1e-3)).failure.starts_with("wrong"));
   Setting idealised = allowing(1e-3);
   idealised.idealised = true;
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(a_coarse_method_that_misses_a_grazing_stick_is_listed_as_fa
   const auto speeds = simulator_errors(scene_named("elastic.toml"), {1 - 1e-7});
   const Solve& coarse = solve_of(speeds[0], "moreau", "100 steps");
   BOOST_TEST(coarse.answered);
-  BOOST_TEST(coarse.failure == "misses the stick: answers pure sliding");
+  BOOST_TEST(coarse.failure == "misses the sticking phase: answers continuous sliding");
   BOOST_TEST(!coarse.on_front);
   BOOST_TEST(solve_of(speeds[0], "exact", "").failure == "");
 }

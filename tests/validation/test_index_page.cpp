@@ -53,6 +53,14 @@ BOOST_AUTO_TEST_CASE(a_line_says_the_answer) {
   BOOST_TEST(has(html, " 4.0\"/><circle"));
 }
 
+BOOST_AUTO_TEST_CASE(a_path_that_creeps_has_no_lowest_friction) {
+  SceneReport report = example::scene_report(example::rigid_scene);
+  report.creep_velocity = 1e-4;
+  report.effect->lowest.reset();
+  const std::string html = index_page({entry(report, "a.html")}, example::origin());
+  BOOST_TEST(has(html, "<span class=\"reduction\">creeps</span>"));
+}
+
 BOOST_AUTO_TEST_CASE(text_from_a_scene_stays_text) {
   vcrit::Scene scene = vcrit::parse_scene(example::rigid_scene, "scene.toml");
   scene.title = "</li><img src=x>";

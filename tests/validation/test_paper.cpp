@@ -1,4 +1,4 @@
-// The paper gone through: numbers against those of docs/physics.md and tests/data, and planted
+// The paper checked: numbers against those of docs/physics.md and tests/data, and planted
 // faults that must show.
 #include "paper/paper.hpp"
 

@@ -7,7 +7,9 @@
 
 #include "compare/velocity_comparisons.hpp"
 #include "record/html_text.hpp"
+#include "report/answer_figures.hpp"
 #include "report/assets.hpp"
+#include "report/cycle_figures.hpp"
 #include "report/document.hpp"
 #include "report/html.hpp"
 #include "report/verdict.hpp"
@@ -176,9 +178,81 @@ BOOST_AUTO_TEST_CASE(the_inputs_decide) {
                  "10\u00a0% in <math><mi>M</mi></math> is 10\u00a0% in "
                  "<math><msup><mi>v</mi><mo>*</mo></msup></math>; 10\u00a0% in "
                  "<math><mi>T</mi></math> and <math><mi>N</mi></math> together at most 7.5\u00a0%."));
-  BOOST_TEST(has(html, "2 checks passed: the closest used 0.1 % of its tolerance."));
+  BOOST_TEST(has(html, "2\u00a0checks passed: the closest used 0.1\u00a0% of its tolerance."));
   BOOST_TEST(has(html, "<span class=\"down\" style=\"margin-left: 25.0%; width: 25.0%\">"));
   BOOST_TEST(has(html, ">−5\u00a0%</td>"));
+}
+
+// Beside the chart its words would be too small.
+BOOST_AUTO_TEST_CASE(a_wide_system_has_a_row_of_its_own) {
+  const std::string narrow = "<div class=\"first\">", wide = "<div class=\"first wide\">";
+  const std::string html = page_of(example::scene_report(example::rigid_scene));
+  BOOST_TEST((has(html, narrow) && !has(html, wide)));
+  const std::string film = page_of(example::scene_report(R"toml(title = "Film"
+[contact]
+normal = "zener(kn, kn1, cn1)"
+tangential = "burgers(k1, c1, k2, c2)"
+[drive]
+network = "kd | cd"
+[oscillation]
+frequency = "30 kHz"
+amplitude = "50 nm"
+indentation = "0.4 um"
+[friction]
+coefficient = 0.15
+[elements]
+kn = 1e7
+kn1 = 3e6
+cn1 = 15
+k1 = 6e6
+c1 = 8000
+k2 = 9e6
+c2 = 45
+kd = 4e6
+cd = 5
+)toml"));
+  BOOST_TEST((has(film, wide) && !has(film, narrow)));
+}
+
+BOOST_AUTO_TEST_CASE(what_nobody_reads_is_not_written_out) {
+  SceneReport report = example::scene_report(example::rigid_scene);
+  report.influences[2].share = -8e-6;  // 8e-05 % for 10 %
+  BOOST_TEST(has(page_of(report), ">&lt;\u00a00.001\u00a0%</td>"));
+  for (Comparison& comparison : report.comparisons)
+    comparison.found = comparison.expected * (1 + 5e-15);
+  BOOST_TEST(checks_words(report) ==
+             "2 checks passed: the closest used less than 0.01 % of its tolerance.");
+  for (Comparison& comparison : report.comparisons) comparison.found = comparison.expected;
+  BOOST_TEST(checks_words(report) == "2 checks passed, without any difference.");
+}
+
+// Whatever the speeds at other frequencies.
+BOOST_AUTO_TEST_CASE(speeds_over_frequency_have_the_unit_of_the_answer) {
+  SceneReport report = example::scene_report(example::rigid_scene);
+  for (const double part : {0.01, 0.02, 0.05, 1.0, 2.0})
+    report.response.points.push_back({125664 * part, 1, 1, {}, 0.0045779 * part, true});
+  BOOST_TEST(frequency_figure(report)->y.title == "v*, mm/s");
+  report.reasons = {"the contact opens"};
+  BOOST_TEST(frequency_figure(report)->y.title == "v*, µm/s");
+}
+
+// Its events are at 3 and 5 rad, between its samples.
+BOOST_AUTO_TEST_CASE(a_cycle_sticks_from_event_to_event) {
+  SceneReport report = example::scene_report(example::rigid_scene);
+  const double microseconds = 1e6 / 125664;
+  const figures::Figure velocity = velocity_figure(report);
+  BOOST_REQUIRE(velocity.bands.size() == 1u);
+  BOOST_TEST(velocity.bands[0].from == 3 * microseconds, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(velocity.bands[0].to == 5 * microseconds, boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(velocity.bands[0].words == "sticks 32 %");  // 2/(2 pi)
+  report.cycle->events = {{1, vcrit::simulation::Motion::slip},
+                          {5, vcrit::simulation::Motion::stick}};
+  report.cycle->regime = "stick-slip-apart";
+  const figures::Figure over_the_end = velocity_figure(report);
+  BOOST_REQUIRE(over_the_end.bands.size() == 2u);
+  BOOST_TEST(over_the_end.bands[0].from == 0);
+  BOOST_TEST(over_the_end.bands[1].words == "sticks 36 %");  // (1 + 2 pi - 5)/(2 pi)
+  BOOST_TEST(over_the_end.caption.ends_with("stick-slip, and the contact opens."));
 }
 
 BOOST_AUTO_TEST_CASE(evidence_has_a_page_of_its_own) {
@@ -249,8 +323,8 @@ BOOST_AUTO_TEST_CASE(what_was_not_run_is_said_and_is_no_fault) {
   SceneReport report = example::scene_report(example::rigid_scene);
   report.comparisons[1].not_run = true;
   report.comparisons[1].detail = "no C++ compiler found";
-  BOOST_TEST(has(page_of(report), "1 check passed"));
-  BOOST_TEST(has(page_of(report), "1 could not be run"));
+  BOOST_TEST(has(page_of(report), "1\u00a0check passed"));
+  BOOST_TEST(has(page_of(report), "1\u00a0could not be run"));
   BOOST_TEST(!has(page_of(report), "failed-checks"));
   BOOST_TEST(has(evidence_of(report), "no C++ compiler found"));
 }

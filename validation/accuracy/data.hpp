@@ -61,7 +61,7 @@ struct Solve {
 };
 
 struct SpeedSolves {
-  double ratio = 0;           ///< speed over the lowest speed of pure sliding
+  double ratio = 0;           ///< speed over the critical speed of the drive
   double friction_ratio = 0;  ///< of the reference
   std::string reference;      ///< what it is, in words
   /// By how much an independent method, named in `reference`, differs from the exact one, where

@@ -204,25 +204,33 @@ Figure simulator_picture(const SpeedSolves& speed) {
   return figure;
 }
 
+std::string about_maps(const StabilityMap& map) {
+  std::string words = fmt::format(
+      "Each cell is one frequency and one factor on {}; its shade says how many of the 16 decimal "
+      "digits of v* are lost.",
+      map.name);
+  if (!map.lines.empty())
+    words +=
+        " The lines are resonance, K_d = m ω², and antiresonance, K_t + K_d = m ω², with storage "
+        "stiffnesses. A cell that a line crosses is taken at a relative distance of 10⁻⁸ from it.";
+  return words;
+}
+
 Figure map_picture(const StabilityMap& map, const Layer& layer) {
   std::vector<double> kilohertz;
   for (const double omega : map.omega) kilohertz.push_back(omega / kilo_radians);
   Figure figure;
   figure.name = "map_" + map.key + "_" + layer.key;
   figure.title = layer.name;
-  figure.caption = "Decimal digits of v* that are lost, 0 to 16.";
-  if (!map.lines.empty())
-    figure.caption +=
-        " Where a line crosses a cell (resonance K_d = m ω², antiresonance K_t + K_d = m ω², with "
-        "storage stiffnesses), ω lies a relative 10⁻⁸ beside it.";
   const FigureSeries wrong = marks(layer, true), not_asked = marks(layer, false);
   if (!wrong.points.empty())
-    figure.caption += layer.key == "simulator"
-                          ? " Crosses: asked at 1 ∓ 10⁻⁶ of the lowest speed of pure sliding, the "
-                            "simulation does not stick below or slide above, or gives no answer."
-                          : " Crosses: not finite.";
+    figure.caption = layer.key == "simulator"
+                         ? "Crosses: at 1 ∓ 10⁻⁶ of the critical speed the simulation does not "
+                           "stick below or slide above, or gives no answer."
+                         : "Crosses: not finite.";
   if (!not_asked.points.empty())
-    figure.caption += " Dots: not asked, as the stuck body swings too often in one period.";
+    figure.caption += std::string(figure.caption.empty() ? "" : " ") +
+                      "Dots: not simulated, as the stuck body oscillates too often in one period.";
   figure.x = figures::cells_axis("frequency, kHz", kilohertz);
   figure.y = figures::cells_axis("factor on " + map.name, map.factor);
   figure.map = figures::Map{

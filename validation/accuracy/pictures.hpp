@@ -21,6 +21,9 @@ figures::Figure histogram_picture(const EvaluatorErrors& errors);
 /// Error over time of the methods at one speed.
 figures::Figure simulator_picture(const SpeedSolves& speed);
 
+/// What all layers of a map show, for whoever sees them.
+std::string about_maps(const StabilityMap& map);
+
 /// One layer of a map, with its marks and the lines of the map.
 figures::Figure map_picture(const StabilityMap& map, const Layer& layer);
 

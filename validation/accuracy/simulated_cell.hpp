@@ -10,7 +10,7 @@ namespace vcrit::validation::accuracy {
 
 struct SimulatedCell {
   double threshold =
-      0;              ///< lowest speed of pure sliding of the contact point, m/s; NaN: none found
+      0;              ///< critical speed of the contact point, m/s; NaN: none found
   std::string wrong;  ///< "misses the stick below v*", ...; empty where both answers are right
 };
 

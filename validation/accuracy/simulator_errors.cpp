@@ -8,6 +8,7 @@
 
 #include "accuracy/front.hpp"
 #include "base/errors.hpp"
+#include "base/rounded.hpp"
 #include "compare/friction.hpp"
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
@@ -107,8 +108,8 @@ std::optional<FrictionReference> friction_reference(const std::vector<Solved>& a
       exact.solve.friction_ratio, exact.sticks, "exact motion between events", {}};
   if (const Solved* other = witness(all)) {
     result.agreement = std::abs(other->solve.friction_ratio - exact.solve.friction_ratio);
-    result.words += fmt::format("; {} {} differs by {:.1e}", other->solve.method,
-                                other->solve.setting, *result.agreement);
+    result.words += fmt::format("; {} {} differs by {}", other->solve.method, other->solve.setting,
+                                rounded(*result.agreement, "", 2));
   } else {
     result.words += "; no other method answered";
   }
@@ -142,7 +143,7 @@ void judge(Solve& solve, const Setting& setting, bool sticks, const FrictionRefe
   if (!solve.answered) return;
   solve.error = std::abs(solve.friction_ratio - reference.friction_ratio);
   if (reference.sticks && !sticks && !setting.idealised)
-    solve.failure = "misses the stick: answers pure sliding";
+    solve.failure = "misses the sticking phase: answers continuous sliding";
   else if (!(solve.error <= setting.allowed))
     solve.failure =
         fmt::format("wrong: off by {:.1e}, allowed {:.1e}", solve.error, setting.allowed);

@@ -21,7 +21,7 @@ void judge(Solve& solve, const Setting& setting, bool sticks, const FrictionRefe
 /// By seconds and error; those that failed are left aside.
 void mark_front(std::vector<Solve>& solves);
 
-/// At speeds of `ratios` times the lowest speed of pure sliding. Throws ModelError where the scene
+/// At speeds of `ratios` times the critical speed of the drive. Throws ModelError where the scene
 /// cannot be simulated.
 std::vector<SpeedSolves> simulator_errors(const Problem& problem,
                                           const std::vector<double>& ratios);

@@ -28,7 +28,7 @@ std::vector<Symbol> relaxation_symbols(const Problem& problem);
 /// The amplitude du_z is reduced in cells where the contact would open: v* is linear in it. Layers:
 /// "formula" (Eq. 24 in doubles), "pasted", or where that is not there "complex", and "fast" (with
 /// a driver, where it has them), and "simulator" (where the scene can be simulated), whose marks
-/// are wrong answers to a speed of 1 +- 1e-6 of the lowest of pure sliding.
+/// are wrong answers to a speed of 1 +- 1e-6 of the critical one.
 StabilityMap stability_map(const Problem& problem, const Driver* driver, const std::string& key,
                            const std::vector<Symbol>& scaled, const MapGrid& grid);
 

@@ -9,7 +9,7 @@
 
 namespace vcrit::validation {
 
-/// The speeds of a curve over the lowest speed of pure sliding: even, with more of them near 1,
+/// The speeds of a curve over the critical speed of the drive: even, with more of them near 1,
 /// where stick dies out, and some beyond.
 std::vector<double> curve_ratios();
 

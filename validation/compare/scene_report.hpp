@@ -101,7 +101,7 @@ struct NormalForce {
 
 /// Steady friction at one speed, come to from sliding and from rest.
 struct ComparedPoint {
-  double ratio = 0;                   ///< speed over the lowest speed of pure sliding
+  double ratio = 0;                   ///< speed over the critical speed of the drive
   double velocity = 0;                ///< m/s
   double from_sliding = 0;            ///< mu_macro/mu0
   double from_rest = 0;               ///< mu_macro/mu0

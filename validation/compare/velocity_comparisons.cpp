@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/rounded.hpp"
 #include "compare/evaluators.hpp"
 #include "critical/conditioning.hpp"
 #include "derivation/derivation.hpp"
@@ -72,8 +73,8 @@ Comparison certified_by_generated(const SceneReport& report, const GeneratedVelo
       velocity_comparison(report, "generated_certified", "generated evaluator, certified");
   comparison.found = generated.certified;
   comparison.tolerance = generated.certified_bound + unit_roundoff;
-  comparison.reason = fmt::format("its own bound, {:.2g}, and one rounding of the reference",
-                                  generated.certified_bound);
+  comparison.reason = fmt::format("its own bound, {}, and one rounding of the reference",
+                                  rounded(generated.certified_bound, "", 2));
   if (std::isfinite(generated.certified_bound)) return comparison;
   return not_run(comparison, "it gives no bound here");
 }

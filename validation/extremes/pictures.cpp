@@ -51,7 +51,6 @@ Figure empty_map(const Region& like, const std::string& name, const std::string&
   Figure figure;
   figure.name = like.key + "_" + name;
   figure.title = title;
-  figure.caption = "Decimal digits of v* that are lost, 0 to 16, by the family that loses most.";
   figure.x = figures::cells_axis("ω, rad/s", like.x);
   figure.y = figures::cells_axis(like.key == "relaxation" ? "factor on times" : "factor on springs",
                                  like.y);
@@ -86,9 +85,10 @@ Figure way_map(const Extremes& extremes, const std::string& key, const std::stri
 Figure simulator_map(const Extremes& extremes, const std::string& key) {
   const auto all = all_of(extremes, key);
   Figure figure = empty_map(*all.front().second, "simulator", "Stick-slip simulation");
-  figure.caption +=
-      " Of the lowest speed of sliding by simulation, in every second column and row. Crosses: "
-      "wrong or no answer at 1 ∓ 10⁻⁶ of v*. Dots: some family is not asked.";
+  figure.caption =
+      "Of the critical speed by simulation, in every second column and row. Crosses: a wrong "
+      "answer "
+      "or none at 1 ∓ 10⁻⁶ of v*. Dots: at least one family is not simulated.";
   Marks wrong, not_asked;
   for (const auto& [family, region] : all) {
     if (!region->simulated) continue;

@@ -63,6 +63,8 @@ const char* palette(int colour) {
   return colours.at(static_cast<std::size_t>(colour) % colours.size());
 }
 
+const char* class_colour(int number) { return number == 2 ? "#dfe2e6" : palette(number); }
+
 const char* dashes_of(Style style, int colour) {
   static constexpr std::array lines{"none", "6 3", "4 4", "2 3", "8 3 2 3", "4 2", "10 3", "1 3"};
   if (style == Style::dashed) return "6 4";

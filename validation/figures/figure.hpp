@@ -92,6 +92,10 @@ struct Figure {
 /// 7 for warnings. Wraps around. page.css has what stands for each in the dark.
 const char* palette(int colour);
 
+/// Of the classes of a map: those of the palette, but 2 is a pale grey, since areas have no dashes
+/// that tell them apart in grey.
+const char* class_colour(int number);
+
 /// How a line is dashed, as SVG says it: one of style `line` by its colour, so that lines differ in
 /// grey, too. "none" for a solid line.
 const char* dashes_of(Style style, int colour);

@@ -60,7 +60,7 @@ ordered_json json(const Map& map, const Figure& figure) {
                       {"y", drawn(edges(map.y, figure.y.logarithmic), figure.y)},
                       {"values", drawn(map.values, map.value)}};
   for (const auto& [at, words] : map.value.ticks)
-    result["colours"].push_back(palette(static_cast<int>(at)));
+    result["colours"].push_back(class_colour(static_cast<int>(at)));
   return result;
 }
 

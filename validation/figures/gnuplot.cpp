@@ -97,7 +97,7 @@ Json map_record(const Figure& figure) {
                                   coordinate(map.values.at(j * map.x.size() + i), map.value)));
   if (!map.value.ticks.empty())
     for (int i = 0; i <= static_cast<int>(map.value.ticks.back().first); ++i)
-      colours.push_back(palette(i));
+      colours.push_back(class_colour(i));
   const double last = static_cast<double>(colours.size()) - 0.5;
   return {{"cells", cells}, {"colours", colours}, {"last_class", last}};
 }

@@ -1,4 +1,4 @@
-// The paper gone through, as plain data: what was derived, drawn and compared, with no way to
+// The paper checked, as plain data: what was derived, drawn and compared, with no way to
 // compute it and no way to show it. Equation numbers are the paper's.
 //
 // Motions are without dimensions: k = omega = mu0 <F_n> = 1, delta = omega c/k, F_n = mean

@@ -53,7 +53,7 @@ Witness witness_of(const Reference& row) {
 Comparison threshold(double delta) {
   const simulation::System system = kelvin_contact(delta, reference_amplitude);
   return comparison(
-      {"threshold", fmt::format("lowest speed of pure sliding by simulation, δ = {}", delta),
+      {"threshold", fmt::format("critical speed by simulation, δ = {}", delta),
        "(31): μ₀ ω du_z k_n/k_t", "closed forms in doubles: room for 4000 roundings",
        Comparison::Measure::relative},
       {kelvin_critical_velocity(delta, reference_amplitude),
@@ -85,7 +85,7 @@ Comparison driven_threshold() {
       0.3 * 1.3 * 0.1 / std::abs(reach) * std::hypot(1.3 * 0.6, 3.0 / 2.0 * (2.0 + reach));
   const auto found = simulation::sliding_threshold(simulation::system_of(problem));
   return comparison(
-      {"driven_threshold", "lowest speed of pure sliding by simulation, elastic drive and body",
+      {"driven_threshold", "critical speed by simulation, elastic drive and body",
        "(29), written by hand",
        "closed forms in doubles: room for 40 000 roundings, and for a body that swings",
        Comparison::Measure::relative},

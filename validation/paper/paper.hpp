@@ -1,4 +1,4 @@
-// The paper, gone through: Zughaibi, Schulze, Li, Critical velocity of controllability of sliding
+// The paper, checked: Zughaibi, Schulze, Li, Critical velocity of controllability of sliding
 // friction by normal oscillations for an arbitrary linear rheology, Physical Mesomechanics 2018.
 #pragma once
 

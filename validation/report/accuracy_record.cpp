@@ -147,6 +147,7 @@ void fields(Fields& f, const accuracy::StabilityMap& it) {
     else
       figures.push_back(accuracy::map_picture(it, layer));
   f("figures", figures)("flat", flat)("cells", it.omega.size() * it.factor.size());
+  f.when(!figures.empty(), "about", accuracy::about_maps(it));
 }
 
 namespace {

@@ -34,7 +34,7 @@ std::vector<Point> friction_points(const SceneReport& report) {
   std::vector<Point> points;
   if (const auto lowest = lowest_of(report)) points.push_back({0, *lowest, "at rest"});
   for (const ComparedPoint& point : report.curve)
-    points.push_back({point.velocity, point.from_sliding, point.regime});
+    points.push_back({point.velocity, point.from_sliding, motion_words(point.regime)});
   if (!report.indented) return points;
   for (const FrictionCurve& curve : report.indented->amplitudes)
     for (std::size_t i = 0; curve.own && i < curve.ratios.size(); ++i)
@@ -193,8 +193,11 @@ std::optional<Figure> frequency_figure(const SceneReport& report) {
   std::vector<double> applies;
   for (const ResponsePoint& point : report.response.points)
     applies.push_back(point.applies ? point.velocity : std::numeric_limits<double>::quiet_NaN());
+  // In the unit of the answer, if the scene has one.
+  const double contact = onset_speeds(report).contact;
+  const bool answered = report.reasons.empty() && contact > 0 && std::isfinite(contact);
   const Scale frequency = scale_for(frequency_of(report), "Hz"),
-              velocity = scale_for(middle_value(applies), "m/s");
+              velocity = scale_for(answered ? contact : middle_value(applies), "m/s");
   Figure figure = marked_frequencies(report, "critical_velocity", frequency.factor, frequency.unit);
   figure.title = "Critical speed over frequency";
   figure.caption = "All else as in the scene.";

@@ -81,6 +81,14 @@ Json key_numbers(const SceneReport& report) {
 
 std::string per_cent(double share) { return fmt::format("{:.2g}\u00a0%", std::abs(10 * share)); }
 
+/// Of smaller ones the digits say nothing to a reader.
+constexpr double least_per_cent = 0.001;
+
+std::string change_words(double share) {
+  if (std::abs(10 * share) < least_per_cent) return fmt::format("<\u00a0{}\u00a0%", least_per_cent);
+  return (share < 0 ? "−" : "+") + per_cent(share);
+}
+
 /// Signs with the words before each: "10 % in mu0 or du_z", "k0, k1 and m".
 Json signs_of(const std::vector<const Influence*>& numbers, const std::string& begin,
               const std::string& between, const std::string& last) {
@@ -128,7 +136,7 @@ Json influence_rows(const SceneReport& report) {
                     {"left", it.share < 0 ? 50 - half : 50},
                     {"length", half},
                     {"down", it.share < 0},
-                    {"percent", (it.share < 0 ? "−" : "+") + per_cent(it.share)},
+                    {"percent", change_words(it.share)},
                     {"share", it.share}});
   }
   return rows;

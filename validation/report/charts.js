@@ -21,10 +21,10 @@ const vcrit_charts = (() => {
       ({ series, values: [x, y], words, x: plan.x(x), y: plan.y(y) })).filter(({ x, y }) => inside(plan, x, y)));
   }
 
-  function draw(element) {
-    const chart = charts.get(element);
+  function draw(element, width = element.clientWidth || 640, part = 1) {  // what is folded has no width
+    const chart = charts.get(element), { figure } = chart;
     chart.width = element.clientWidth;
-    chart.plan = planOf(chart.figure, chart.width || 640);  // what is folded has no width
+    chart.plan = planOf({ ...figure, height: Math.round(part * figure.height) }, width);
     chart.points = pointsOf(chart.plan);
     chart.chosen = null;
     const svg = drawingOf(chart.plan);
@@ -32,6 +32,7 @@ const vcrit_charts = (() => {
     if (before) before.replaceWith(svg);
     else element.prepend(svg);
     chart.svg = svg;
+    element.classList.toggle("named", chart.plan.ends.length > 0);
     chart.told.hidden = true;
   }
 
@@ -176,8 +177,16 @@ const vcrit_charts = (() => {
     }
   }));
 
+  // On paper three charts stand side by side, each drawn so narrow that its words stay readable, and lower by as much.
+  const thirdOfSheet = 330, lower = 0.75;
+  const isSmallOnPaper = (element) => element.closest("#cycle, #frequency, .panels") !== null;
   addEventListener("beforeprint", () => {
-    for (const [element, { svg }] of charts) if (!svg) tryToDraw(element);
+    for (const [element, { svg }] of charts)
+      if (isSmallOnPaper(element)) draw(element, thirdOfSheet, lower);
+      else if (!svg) tryToDraw(element);
+  });
+  addEventListener("afterprint", () => {
+    for (const element of charts.keys()) if (isSmallOnPaper(element)) draw(element);
   });
 
   // The element becomes the chart of a figure.

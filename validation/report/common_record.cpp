@@ -100,7 +100,8 @@ bool is_line_drawing(const figures::Figure& figure) {
 void fields(Fields& f, const figures::Figure& it) {
   f("name", it.name)("title", it.title);
   if (f.for_page()) {
-    f("caption", it.caption)("drawing", Markup{validation::report::json_for_page(figure_json(it))});
+    f("caption", validation::report::unbroken(it.caption));
+    f("drawing", Markup{validation::report::json_for_page(figure_json(it))});
     f.when(is_line_drawing(it), "still", Markup{is_line_drawing(it) ? figures::still(it) : ""});
     return;
   }

@@ -32,14 +32,28 @@ double class_of(Motion motion) {
   throw Bug("a motion without a class");
 }
 
+const char* class_words(Motion motion) {
+  switch (motion) {
+    case Motion::stick:
+      return "sticks";
+    case Motion::slip:
+      return "slides";
+    case Motion::separated:
+      return "open";
+    case Motion::backslip:
+      return "slides back";
+  }
+  throw Bug("a motion without words");
+}
+
 }  // namespace
 
 figures::Map contact_map(const StateMap& states) {
   figures::Map map;
-  map.value = {"contact", false, {}, {}};
+  map.value = {"contact point", false, {}, {}};
   for (const Motion motion : {Motion::stick, Motion::slip, Motion::separated, Motion::backslip})
     if (std::find(states.motions.begin(), states.motions.end(), motion) != states.motions.end())
-      map.value.ticks.emplace_back(class_of(motion), to_text(motion));
+      map.value.ticks.emplace_back(class_of(motion), class_words(motion));
   for (const double phase : states.phases) map.x.push_back(phase / (two_pi));
   map.y = states.rows;
   for (const auto& motion : states.motions)
@@ -49,8 +63,8 @@ figures::Map contact_map(const StateMap& states) {
 
 Figure curves_figure(const std::vector<FrictionCurve>& curves) {
   Figure figure;
-  figure.x = {"v₀ / v* of Eq. 24", false, std::pair{0.0, 1.2}, {}};
-  figure.y = {"friction ratio μ macro / μ₀", false, std::pair{0.0, 1.05}, {}};
+  figure.x = {"sliding speed / v* of Eq. (24)", false, std::pair{0.0, 1.2}, {}};
+  figure.y = {"friction / friction without vibration", false, std::pair{0.0, 1.05}, {}};
   int colour = 0;
   for (const FrictionCurve& curve : curves) {
     FigureSeries series{curve.name, Style::line, {}, colour++};

@@ -66,7 +66,7 @@ Figure cycle_figure(const SceneReport& report, const char* name, int height) {
   figure.name = name;
   figure.height = height;
   figure.x = {"time, " + time.unit, false, std::pair{0.0, two_pi / omega * time.factor}, {}};
-  const std::vector<MotionStretch> all = stretches(report.cycle->points, time.factor / omega);
+  const std::vector<MotionStretch> all = stretches(*report.cycle, time.factor / omega);
   const std::string sticks = sticking_words(all, figure.x.range->second);
   const auto longest = longest_sticking(all);
   for (auto stretch = all.begin(); stretch != all.end(); ++stretch)
@@ -105,7 +105,7 @@ Figure velocity_figure(const SceneReport& report) {
   figure.caption =
       fmt::format("At {}, {} of v*: friction ratio {:.4g}, {}.", quantity(cycle.velocity, "m/s", 4),
                   cycle.ratio == 0.5 ? "half" : fmt::format("{:.3g}", cycle.ratio),
-                  cycle.friction_ratio, cycle.regime);
+                  cycle.friction_ratio, motion_words(cycle.regime));
   figure.y.title = "contact speed, " + scale.unit;
   figure.series = {over_time(report, "", Style::line, 0, scale, velocity)};
   return figure;

@@ -59,8 +59,17 @@ std::string exact(double value, const std::string&) { return vcrit::to_text(valu
 
 std::string in_magnitude(double value, const std::string&) { return magnitude(value); }
 
+std::string in_nanoseconds(double nanoseconds, const std::string&) {
+  return rounded(1e-9 * nanoseconds, "s", 3);
+}
+
 std::string microseconds(double seconds, const std::string&) {
   return fmt::format("{:.3g}", 1e6 * seconds);
+}
+
+/// Without a power of ten as programs write it: "4.58 × 10¹¹".
+std::string in_digits(double value, const std::string& digits) {
+  return rounded(value, "", std::stoi(digits));
 }
 
 /// What a number is off, as "−1.4 × 10⁻⁸".
@@ -99,6 +108,8 @@ std::string rendered(const char* name, const record::Json& record) {
                                      {{"exact", exact},
                                       {"magnitude", in_magnitude},
                                       {"microseconds", microseconds},
+                                      {"digits", in_digits},
+                                      {"nanoseconds", in_nanoseconds},
                                       {"off", off},
                                       {"quantity", in_unit},
                                       {"signed", with_sign}});

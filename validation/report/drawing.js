@@ -219,7 +219,7 @@ const vcrit_drawing = (() => {
       const x = plan.x(valueX), y = plan.y(valueY), steps = last ? Math.ceil(Math.hypot(x - last.x, y - last.y) / 8) : 1;
       for (let n = 1; n <= Math.min(steps, 200); ++n) {
         const part = n / steps, at = last ? { x: last.x + (x - last.x) * part, y: last.y + (y - last.y) * part } : { x, y };
-        if (inside(plan, at.x, at.y)) yield { line: true, x: at.x - 2, y: at.y - 2, width: 4, height: 4 };
+        if (inside(plan, at.x, at.y)) yield { curve: true, x: at.x - 2, y: at.y - 2, width: 4, height: 4 };
       }
       last = Number.isNaN(x + y) ? null : { x, y };
     }
@@ -229,7 +229,11 @@ const vcrit_drawing = (() => {
     into.setAttribute("stroke-linejoin", "round");
     for (const series of plan.figure.series) {
       const clip = marks[series.style] ? {} : { "clip-path": `url(#${plan.clip})` };
-      add(into, "path", { ...paint(series), ...clip, "data-name": series.name, d: pathOf(plan, series) });
+      const d = pathOf(plan, series), look = paint(series);
+      // On the dark cells of a map a line or a cross has a white edge.
+      if (plan.figure.map && look.fill === "none")
+        add(into, "path", { class: "edge", ...clip, fill: "none", stroke: "#ffffff", "stroke-width": look["stroke-width"] + 2, d });
+      add(into, "path", { ...look, ...clip, "data-name": series.name, d });
       for (const box of alongCurve(plan, series)) taken.push(box);
     }
   }
@@ -237,12 +241,21 @@ const vcrit_drawing = (() => {
   const meet = (a, b) =>
     a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 
-  // Words stay in the frame and keep off each other and, if they can, off lines: they take the first such place.
-  function free(plan, taken, boxes) {
-    const own = boxes.filter(({ x, y, width, height }) =>
-      x >= 0 && x + width <= plan.inner && y >= 0 && y + height <= plan.height);
-    const clear = (others) => own.find((box) => !others.some((other) => meet(box, other)));
-    return clear(taken) ?? clear(taken.filter(({ line }) => !line));
+  // The first place in the frame that is off all of these.
+  const free = (plan, taken, boxes) => boxes.find((box) =>
+    box.x >= 0 && box.x + box.width <= plan.inner && box.y >= 0 && box.y + box.height <= plan.height &&
+    !taken.some((other) => meet(box, other)));
+
+  // Words keep off each other and, if they can, off curves and rules. A resonance stands at a peak and an antiresonance at a
+  // dip, so that in a narrow frame their numbers are enough where their names would stand on other rules.
+  function placed(plan, taken, rule) {
+    const curves = taken.filter(({ line }) => !line), words = curves.filter(({ curve }) => !curve);
+    const number = rule.words.replace(/^(anti)?resonance /, "");
+    const named = (texts, others) => texts.map((text) => ({ text, box: free(plan, others, [...placesAt(plan, { ...rule, words: text })]) }))
+      .find(({ box }) => box);
+    const narrow = plan.inner < 400;
+    return named(narrow ? [rule.words, number] : [rule.words], taken) ??
+      named(narrow ? [number] : [rule.words, number], curves) ?? named([number], words);
   }
 
   // Places for a rule's words: beside its line from the bottom up, or above and below it from the left.
@@ -288,10 +301,10 @@ const vcrit_drawing = (() => {
       taken.push({ line: true, x, y, width: horizontal ? inner : 0, height: horizontal ? 0 : height });
     }
     for (const rule of shown.filter(({ words }) => words)) {
-      const box = free(plan, taken, [...placesAt(plan, rule)]);
+      const { text, box } = placed(plan, taken, rule) ?? {};
       if (!box) continue;
       taken.push({ ...box, x: box.x - 8, width: box.width + 16 });
-      drawWords(wordsInto, box, rule.words);
+      drawWords(wordsInto, box, text);
     }
   }
 

@@ -50,6 +50,7 @@ const vcrit_explorer = (() => {
 
   function show(row) {
     if (row.field !== document.activeElement) row.field.value = row.text;  // else it is being typed
+    row.field.title = row.text;  // more digits than fit
     const value = Number(row.text);
     row.slider.value = row.linear || (value > 0 && start(row) > 0) ? place(row, value) : 0;
     row.slider.setAttribute("aria-valuetext", row.array ? `times ${row.text}` : `${row.text} ${spoken(row.unit)}`.trim());

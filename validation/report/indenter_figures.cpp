@@ -23,7 +23,7 @@ Figure indenter_shape_figure(const Indented& indented) {
   figure.name = "indenter_by_shape";
   figure.title = "Friction ratio over speed, by shape";
   figure.caption =
-      "At the same amplitude over indentation; of shapes like rⁿ nothing but n matters. Thick "
+      "All at the same ratio of amplitude to indentation. For a shape rⁿ only n matters. Thick "
       "dots: "
       "this scene.";
   return figure;
@@ -34,9 +34,8 @@ Figure indenter_state_figure(const Indented& indented) {
   figure.name = "contact_state";
   figure.title = "What the contact does over its width and one period";
   figure.caption = fmt::format(
-      "At {:.3g} of v*. From the centre to the largest radius of contact; the indentation is "
-      "largest "
-      "at phase 0 and least at half a period.",
+      "At {:.3g} of v*, from the centre to the largest radius of contact. The indentation is "
+      "largest at phase 0 and least at half a period.",
       indented.map_ratio);
   figure.x = {"phase ωt / 2π", false, std::pair{0.0, 1.0}, {}};
   figure.y = {"distance from the centre / largest contact radius", false, std::pair{0.0, 1.0}, {}};

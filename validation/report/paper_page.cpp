@@ -9,7 +9,7 @@ std::string paper_page(const PaperContents& contents) {
   record::Json record = record::page_of(contents.paper);
   add_verdict(all_comparisons(contents.paper), record);
   add_origin(contents.origin, record);
-  return document("paper", record, {"The paper, gone through", true, {}});
+  return document("paper", record, {"The paper, checked", true, {}});
 }
 
 }  // namespace vcrit::validation::report

@@ -184,9 +184,9 @@ std::vector<Figure> cycle_plot(const Problem& problem, double velocity) {
   all.front().title =
       fmt::format("{}, at {}", title_or_file(problem), quantity(velocity, "m/s", 4));
   all.back().title.clear();
-  all.back().caption =
-      fmt::format("At a sliding speed of {}: friction ratio {:.4g}, {}.",
-                  quantity(velocity, "m/s", 4), report.cycle->friction_ratio, report.cycle->regime);
+  all.back().caption = fmt::format("At a sliding speed of {}: friction ratio {:.4g}, {}.",
+                                   quantity(velocity, "m/s", 4), report.cycle->friction_ratio,
+                                   motion_words(report.cycle->regime));
   return all;
 }
 

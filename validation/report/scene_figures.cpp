@@ -93,8 +93,9 @@ Figure friction_figure(const SceneReport& report) {
   FigureSeries rest = over_speed(report, "from rest", Style::circles, 1,
                                  [](const ComparedPoint& p) { return p.from_rest; });
   for (std::size_t i = 0; i < rest.points.size(); ++i)
-    rest.points[i].words = fmt::format("{:.4g}: {:.9f}, {}", report.curve[i].ratio,
-                                       report.curve[i].from_rest, report.curve[i].regime);
+    rest.points[i].words =
+        fmt::format("{:.4g}: {:.9f}, {}", report.curve[i].ratio, report.curve[i].from_rest,
+                    motion_words(report.curve[i].regime));
   figure.series.push_back(std::move(rest));
   std::size_t number = 1;  // 0 is the exact one
   for (const MethodCurve& method : report.methods)

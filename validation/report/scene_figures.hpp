@@ -12,7 +12,7 @@ namespace vcrit::validation::report {
 /// All that the scene has.
 std::vector<figures::Figure> scene_figures(const SceneContents& contents);
 
-/// mu_macro/mu0 over the speed in units of the lowest speed of pure sliding.
+/// mu_macro/mu0 over the speed in units of the critical speed of the drive.
 figures::Figure friction_figure(const SceneReport& report);
 
 /// How far each other method of report.methods is from the exact one, over the same speed.

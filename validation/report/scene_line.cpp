@@ -46,7 +46,10 @@ std::string answer_words(const SceneReport& report) {
                      quantity(report.problem.value(report.problem->amplitude), "m", 3));
 }
 
+/// Of a path that creeps there is no least value: at vanishing speed creep alone carries the
+/// motion.
 std::string reduction_words(const SceneReport& report) {
+  if (report.reasons.empty() && report.creep_velocity > 0) return "creeps";
   if (!report.reasons.empty() || !report.effect || !report.effect->lowest) return {};
   return "−" + whole_percent(1 - *report.effect->lowest);
 }

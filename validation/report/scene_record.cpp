@@ -265,6 +265,9 @@ void pictures(Fields& f, const SceneReport& scene) {
 
 /// More are folded, so that what comes after them is seen.
 constexpr std::size_t most_limits = 4;
+/// A drawing of the system that is wider has a row of its own: beside the chart there are 400
+/// pixels, in which its words would be smaller than 8.
+constexpr double widest_beside = 700;  // px
 
 void fields(Fields& f, const report::SceneContents& contents) {
   const SceneReport& scene = contents.report;
@@ -280,14 +283,16 @@ void fields(Fields& f, const report::SceneContents& contents) {
   const bool outside = !scene.reasons.empty();
   f("heading", report::title_of(scene))("state", report::state_class(scene))("outside", outside);
   f("state_words", report::state_words(scene))("velocity_words", report::velocity_words(scene));
-  f("tightest", report::tightest_words(scene.comparisons))("reasons", scene.reasons);
+  f("tightest", report::unbroken(report::tightest_words(scene.comparisons)));
+  f("reasons", scene.reasons);
   f("formula_applies", scene.formula_applies && !outside);
   f("simulated", !scene.curve.empty() || scene.indented.has_value());
-  f("system", report::draw_system(scene.problem))
+  const report::Picture system = report::draw_system(scene.problem);
+  f("system", system)("wide_system", system.drawing.width > widest_beside)
       .when(scene.effect.has_value(), "answer",
             scene.effect ? report::answer_record(scene) : Json());
-  f("sentence", report::unbroken(report::sentence_of(scene)))("checks",
-                                                              report::checks_words(scene));
+  f("sentence", report::unbroken(report::sentence_of(scene)));
+  f("checks", report::unbroken(report::checks_words(scene)));
   f("failed_names", names_of_failed(scene))("failed_warning", report::warning_of_failed(scene));
   f("speed_axis", report::speed_axis(scene));
   f("explorer", scene.failure.empty() ? report::explorer_record(scene.problem) : Json());

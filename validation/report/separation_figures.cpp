@@ -10,7 +10,7 @@ namespace {
 
 using figures::Figure;
 
-constexpr const char* speed_title = "v₀ / v* of Eq. 24";
+constexpr const char* speed_title = "sliding speed / v* of Eq. (24)";
 
 }  // namespace
 
@@ -19,8 +19,9 @@ Figure amplitude_figure(const Separation& separation) {
   figure.name = "friction_by_amplitude";
   figure.title = "Friction ratio over speed, by amplitude";
   figure.caption =
-      "Each amplitude over that at which the contact begins to open; the speed over Eq. 24 at that "
-      "amplitude. Thick dots: this scene.";
+      "Each curve is of one amplitude, in units of the one at which the contact begins to open. "
+      "Its "
+      "speeds are in units of Eq. (24) at that amplitude. Thick dots: this scene.";
   return figure;
 }
 

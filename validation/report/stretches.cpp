@@ -1,38 +1,34 @@
 #include "report/stretches.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/constants.hpp"
 
 namespace vcrit::validation::report {
 
-namespace {
+using simulation::Event;
+using simulation::Motion;
 
-using simulation::CyclePoint;
-
-}  // namespace
-
-std::vector<MotionStretch> stretches(const std::vector<CyclePoint>& cycle, double per_phase) {
-  double fastest = 0;
-  for (const auto& point : cycle) fastest = std::max(fastest, std::abs(point.contact_velocity));
-  const double still = 1e-12 * fastest;
+std::vector<MotionStretch> stretches(const Cycle& cycle, double per_phase) {
   std::vector<MotionStretch> result;
-  bool open = false;
-  for (std::size_t i = 0; i < cycle.size(); ++i) {
-    const double velocity = cycle[i].contact_velocity;
-    const double from = cycle[i].phase * per_phase;
-    const double to = (i + 1 < cycle.size() ? cycle[i + 1].phase : two_pi) * per_phase;
-    const bool backward = velocity < -still;
-    if (velocity > still) {
-      open = false;
-    } else if (open && result.back().backward == backward) {
-      result.back().to = to;
-    } else {
-      result.push_back({from, to, backward});
-      open = true;
+  const auto add = [&](double from, double to, bool backward) {
+    if (to > from) result.push_back({from * per_phase, to * per_phase, backward});
+  };
+  if (cycle.events.empty() && cycle.regime == to_text(simulation::Regime::stick))
+    add(0, two_pi, false);
+  for (std::size_t i = 0; i < cycle.events.size(); ++i) {
+    const Event& event = cycle.events[i];
+    if (event.to != Motion::stick && event.to != Motion::backslip) continue;
+    const bool last = i + 1 == cycle.events.size(), backward = event.to == Motion::backslip;
+    if (!last) {
+      add(event.phase, cycle.events[i + 1].phase, backward);
+      continue;
     }
+    add(event.phase, two_pi, backward);
+    add(0, cycle.events.front().phase, backward);
   }
+  std::sort(result.begin(), result.end(),
+            [](const MotionStretch& a, const MotionStretch& b) { return a.from < b.from; });
   return result;
 }
 

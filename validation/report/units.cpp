@@ -4,6 +4,7 @@
 
 #include <cctype>
 #include <cmath>
+#include <string_view>
 
 namespace vcrit::validation::report {
 
@@ -17,12 +18,22 @@ std::string unbroken(const std::string& words) {
   for (const char c : words) {
     const bool after_digit =
         !result.empty() && std::isdigit(static_cast<unsigned char>(result.back())) != 0;
-    if (c == ' ' && after_digit)
+    if (c == ' ' && (after_digit || result.ends_with("×")))
       result += "\u00a0";
     else
       result += c;
   }
   return result;
+}
+
+std::string motion_words(const std::string& regime) {
+  constexpr std::string_view apart = "-apart";
+  if (regime.ends_with(apart))
+    return motion_words(regime.substr(0, regime.size() - apart.size())) + ", and the contact opens";
+  if (regime == "sliding") return "continuous sliding";
+  if (regime == "stick") return "sticking";
+  if (regime == "stick-slip-backslip") return "stick-slip with reverse slip";
+  return regime;
 }
 
 std::string magnitude(double value) {

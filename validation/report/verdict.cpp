@@ -40,6 +40,17 @@ std::string warning_of_failed(const SceneReport& report) {
                        report.comparisons.size() - count(report, Comparison::Outcome::not_run));
 }
 
+namespace {
+
+std::string closest_words(double share) {
+  constexpr double least = 1e-4;  // of less the digits say nothing
+  if (share == 0) return ", without any difference";
+  if (share < least) return ": the closest used less than 0.01 % of its tolerance";
+  return fmt::format(": the closest used {:.2g} % of its tolerance", 100 * share);
+}
+
+}  // namespace
+
 std::string checks_words(const SceneReport& report) {
   const auto failed = count(report, Comparison::Outcome::failed),
              not_run = count(report, Comparison::Outcome::not_run),
@@ -48,8 +59,7 @@ std::string checks_words(const SceneReport& report) {
                                  : fmt::format("{} check{} passed", made, made == 1 ? "" : "s");
   const Comparison* closest = tightest(report);
   if (failed == 0 && closest != nullptr && closest->tolerance > 0)
-    words += fmt::format(": the closest used {:.2g} % of its tolerance",
-                         std::max(0.01, 100 * difference(*closest) / closest->tolerance));
+    words += closest_words(difference(*closest) / closest->tolerance);
   if (not_run > 0) words += fmt::format("; {} could not be run", not_run);
   return words + ".";
 }
