@@ -41,7 +41,7 @@ constexpr Cell measured_polynomial =
 constexpr Cell contact_polynomial =
     refused("a measured stiffness is no polynomial: v* has no rational form");
 constexpr Cell no_symbols = refused(
-    "where the contact opens (separation = true) v* is no formula of all symbols to compare");
+    "where the contact opens (separation = true) v* has no formula of all symbols to compare");
 constexpr Cell no_comparison =
     refused("no closed form of v* where this contact opens: nothing to compare",
             "vcrit eval gives the simulated one, and vcrit validate holds it against the motion");
@@ -118,10 +118,10 @@ constexpr Cell inadmissible = left_out("of an admissible scene alone");
 
 // Of an indenter on a drive that gives.
 constexpr Cell by_phase = left_out(
-    "below an indenter on a drive that gives, v* is the largest value of a speed over the phase");
+    "v* of an indenter on a drive that gives is the largest value of a speed over one period");
 constexpr Cell no_formula = refused(
-    "below an indenter on a drive that gives, v* is no formula: it is the largest value of a speed "
-    "over the phase",
+    "v* of an indenter on a drive that gives has no formula: it is the largest value of a speed over "
+    "one period",
     "vcrit eval gives it, and vcrit simulate friction below it");
 constexpr Cell many_memories = refused(
     "below an indenter on a drive that gives, the motion of an elastic half-space is known alone: "
@@ -140,7 +140,7 @@ constexpr Cell measured_code = refused(
     "the contact's stiffness is measured: an evaluator would hold it still while omega varies",
     "vcrit sweep follows the table, and vcrit fit makes a network of it, which has an evaluator");
 constexpr Cell measured_symbols = refused(
-    "the contact's stiffness is a table, so that v* is no formula of all symbols to compare",
+    "the contact's stiffness is a table, so v* has no formula of all symbols to compare",
     "compare the numbers: vcrit sweep follows the table");
 constexpr Cell measured_frequencies =
     refused("the contact's stiffness is known at the frequencies of its table alone");

@@ -5,7 +5,7 @@ from pathlib import Path
 
 SCENES = Path(__file__).resolve().parents[2] / "scenes"
 # As the rulebook says it; tests/rules has all of its words.
-NO_FORMULA = "v* is no formula"
+NO_FORMULA = "has no formula"
 
 
 def has_formula(program, scene):
