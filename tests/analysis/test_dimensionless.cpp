@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(groups_are_those_one_would_write) {
   const DimensionlessForm prony = dimensionless(
       derive(test::scene_of("normal = \"prony(k0, k, tau, 1)\"\ntangential = \"kt\"")));
   BOOST_TEST((groups(prony) ==
-              Texts{"kappa_k[1] = k[1]/k0", "theta_tau[1] = tau[1]*omega", "kappa_kt = kt/k0"}));
+              Texts{"kappa_k[1] = k[1]/k0", "theta_tau[1] = omega*tau[1]", "kappa_kt = kt/k0"}));
 }
 
 // |K_n|/k = |1 + i theta| and |K_t|/k = kappa

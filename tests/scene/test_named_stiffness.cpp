@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_passive_at_all_values_is_refused_with_the_reaso
   BOOST_TEST(said("k - c*s", "a damper at high frequency, -c"));
   BOOST_TEST(said("k0 - k1", "the stiffness at rest k0 - k1"));
   BOOST_TEST(said("k0 - k1/(a^3 + b^3)",
-                  "the stiffness at rest (k0*b^3 + k0*a^3 - k1)/(b^3 + a^3); expected"));
+                  "the stiffness at rest (k0*a^3 + k0*b^3 - k1)/(a^3 + b^3); expected"));
   BOOST_TEST(said("k/(1 + a*s + b*s^2)", "the factor "));
   BOOST_TEST(said("k/(1 + a*s + b*s^2)", "the factor s^2*b + s*a + 1 of its denominator, whose"));
   BOOST_TEST(said("k0 + k*s/(1 + tau*s)^2", "the factor s*tau + 1 of its denominator, 2 times"));
