@@ -44,7 +44,7 @@ FAULTS = [
      "design/test_first_reach"),
     ("src/fit/nnls.cpp", "return x_.cwiseQuotient(size_);", "cwiseQuotient", "cwiseProduct", "fit/test_nnls"),
     ("src/fit/refine.cpp", "result.col(branches_ + i++) = branch.stiffness *", "stiffness", "time", "fit/test_fit"),
-    ("symbolic/formula/form.cpp", "if (prefactor && form.text == \"omega\") return -2;", "&&", "||",
+    ("symbolic/formula/form.cpp", "return !prefactor && has_base(form, \"omega\") ? 3", "!prefactor", "prefactor",
      "document/test_print"),
     ("src/network/polynomial.cpp", "lowest = std::min(lowest, exponents(i)[index])", "min", "max",
      "network/test_polynomial"),
