@@ -2,10 +2,10 @@
 #include "report/material_page.hpp"
 
 #include <boost/test/unit_test.hpp>
-#include <regex>
 
 #include <cmath>
 #include <complex>
+#include <regex>
 
 #include "report/material.hpp"
 #include "scene/scene.hpp"
@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(with_values_it_has_numbers_and_curves) {
   for (const char* figure : {"stiffness", "loss_factor", "relaxation", "creep"})
     BOOST_TEST(has(page, "<figure id=\"normal_" + std::string(figure) + "\">"), figure);
   BOOST_TEST(has(page, "0.166667"));  // c1/k1
-  BOOST_TEST(!std::regex_search(page, std::regex("\\bnan\\b")));  // in "resonance", too
+  BOOST_TEST(!std::regex_search(page, std::regex("\\bnan\\b")));  // but in "resonance"
 }
 
 // Masses, lossy springs and long series have no closed spectra; measured drives no network.
