@@ -10,6 +10,7 @@
 #include "report/claims.hpp"
 #include "report/html.hpp"
 #include "report/records.hpp"
+#include "report/units.hpp"
 #include "report/verdict.hpp"
 
 namespace vcrit::record {

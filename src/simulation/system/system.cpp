@@ -12,6 +12,7 @@
 #include "rules/rulebook.hpp"
 #include "simulation/system/check.hpp"
 #include "simulation/system/measured_drive.hpp"
+#include "stiffness/structure_check.hpp"
 
 namespace vcrit::simulation {
 
