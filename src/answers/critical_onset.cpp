@@ -119,7 +119,7 @@ double simulated_log_derivative(const Problem& problem, const Symbol& symbol) {
   if (!(here.contact_velocity > 0 && std::isfinite(here.contact_velocity)))
     throw ModelError("v* is 0 or infinite, so that it has no relative sensitivity");
   const auto found = problem.values().find(symbol);
-  if (found == problem.values().end()) return 0;  // an element of value 0: no share of it is any
+  if (found == problem.values().end()) return 0;  // an element of value 0, which is left out
   const Variation changing(problem, {name});
   const double value = found->second;
   const auto log_velocity = [&](double logarithm) -> std::optional<double> {

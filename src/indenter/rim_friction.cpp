@@ -15,8 +15,9 @@ namespace vcrit::indenter {
 namespace {
 
 // On a step: the coarse one tells the error of the fine one, with a thousandth of the tolerance.
-// Below the finest all is rounding; of friction, whose events add up, below the least tolerance.
-constexpr double coarse = 1e-9, finest = 1e-14, least_tolerance = 1e-9, finer = 1000;
+// Below the finest all is rounding; where errors of events add up, as in friction, below
+// coarse/finer.
+constexpr double coarse = 1e-9, finest = 1e-14, finer = 1000;
 
 // Of forces that are about 1, of some hundred steps.
 constexpr double force_rounding_error = 1e-14;
@@ -36,7 +37,7 @@ class Sliding {
     find();
   }
 
-  /// Infinite where the body swings freely at a harmonic of the normal force.
+  /// Whether the body swings freely at a harmonic of the normal force.
   bool resonant() const { return resonant_; }
   const State& body() const { return body_; }
   double mean_force() const { return motion_.impulse() / two_pi; }
@@ -281,7 +282,7 @@ Friction without_oscillation(const HalfSpace& half_space) {
 FrictionOfSpeed rim_friction(const HalfSpace& half_space, double tolerance) {
   if (!(half_space.amplitude() > 0))
     return [found = without_oscillation(half_space)](double) { return found; };
-  const double rough = std::max(tolerance, least_tolerance), fine = rough / finer;
+  const double rough = std::max(tolerance, coarse), fine = rough / finer;
   const auto held = std::make_shared<const Held>(half_space);
   const std::shared_ptr<const Sliding> sliding = held->sliding(fine);
   if (sliding->resonant()) throw ModelError(rings);
