@@ -56,8 +56,9 @@ class Solving {
       if (end && !(*end > 0))
         throw InputError(argument(name), fmt::format("{} {}", *end, unit_of(question.sought)),
                          "a number above 0");
-    if (question.samples < 3)
-      throw InputError(argument("samples"), fmt::format("{}", question.samples), "at least 3");
+    if (question.samples < 3 || question.samples > most_samples)
+      throw InputError(argument("samples"), fmt::format("{}", question.samples),
+                       fmt::format("a number from 3 to {}", most_samples));
     problem_of(question, 1).values();  // what is sought needs no value
     return question;
   }

@@ -29,6 +29,8 @@ inline constexpr std::array all_sought{Sought::amplitude, Sought::frequency, Sou
 
 /// What is narrower than a part in 400 of the range is missed; a simulation takes some 0.1 ms.
 inline constexpr int usual_samples = 400;
+/// Some seconds, of which what a sample costs besides the work that is counted takes the most.
+inline constexpr int most_samples = 100'000;
 
 struct DesignQuestion {
   Problem problem;  ///< its value of what is sought is not used, but for the range of frequencies
@@ -37,7 +39,7 @@ struct DesignQuestion {
   double velocity = 0;             ///< of the drive, m/s; not for Sought::velocity
   std::optional<double> from, to;  ///< the range to search, in unit_of(sought); none: all that is
                                    ///< admissible, for frequencies two decades to each side
-  int samples = usual_samples;     ///< of the range, at least 3
+  int samples = usual_samples;     ///< of the range, 3 to most_samples
   std::size_t effort = simulation::effort_of_answer;  ///< of all steady states together
 };
 

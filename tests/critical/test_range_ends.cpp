@@ -119,6 +119,14 @@ BOOST_AUTO_TEST_CASE(friction_where_numbers_of_the_motion_leave_the_range_of_dou
   }
 }
 
+// It was called sliding at half of v*, with a friction ratio of 0.999998 and an error of 0.5.
+BOOST_AUTO_TEST_CASE(a_stick_that_rounding_hides) {
+  const Scene scene = scene_of("stick_lost");
+  const double v = certified_critical_velocity(scene).value;
+  BOOST_TEST(test::refused<ModelError>(
+      [&] { simulation::steady_state(simulation::system_of(scene), v / 2); }, "lost in rounding"));
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE_END()

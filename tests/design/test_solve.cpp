@@ -217,8 +217,10 @@ BOOST_AUTO_TEST_CASE(wrong_questions_are_refused) {
     BOOST_CHECK_THROW(design::solve(question("elastic.toml", Sought::velocity, ratio)), InputError);
   BOOST_CHECK_THROW(design::solve(question("elastic.toml", Sought::amplitude, 0.5, 0)), InputError);
   DesignQuestion few = question("elastic.toml", Sought::velocity, 0.9);
-  few.samples = 2;
-  BOOST_CHECK_THROW(design::solve(few), InputError);
+  for (const int samples : {2, design::most_samples + 1}) {
+    few.samples = samples;
+    BOOST_CHECK_THROW(design::solve(few), InputError);
+  }
   // From the lowest frequency on, which the table does not have.
   BOOST_TEST(has(refusal(question("measured_drive.toml", Sought::frequency, 0.9, 0.001)),
                  "is outside the receptance in"));

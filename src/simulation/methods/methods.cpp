@@ -23,13 +23,18 @@ namespace {
 constexpr std::array known_methods{Method::moreau, Method::rkf45, Method::rk8pd,
                                    Method::msbdf,  Method::tanh,  Method::reduced};
 
+// Some 200 MB of bounds and forces; a motion of so many steps is beyond the bound on work after a
+// few periods.
+constexpr int most_steps_per_period = 10'000'000;
+
 void check(const MethodOptions& options) {
   const auto require = [](bool holds, const char* option, auto found, const char* expected) {
     if (!holds) throw InputError({option}, fmt::format("{}", found), expected);
   };
   require(options.tolerance >= 1e-15 && options.tolerance < 1, "tolerance", options.tolerance,
           "a number from 1e-15 to below 1");
-  require(options.steps_per_period >= 4, "steps", options.steps_per_period, "a number from 4");
+  require(options.steps_per_period >= 4 && options.steps_per_period <= most_steps_per_period,
+          "steps", options.steps_per_period, "a number from 4 to 10000000");
   require(options.theta >= 0.5 && options.theta <= 1, "theta", options.theta,
           "a number from 0.5 to 1");
   require(options.regularisation > 0 && std::isfinite(options.regularisation), "regularisation",

@@ -34,7 +34,7 @@ struct MethodOptions {
   /// rkf45, rk8pd, msbdf, tanh: error a step, relative and in units of mu0 <F_n>;
   /// from 1e-15 to below 1.
   double tolerance = 1e-10;
-  /// moreau: >= 4.
+  /// moreau: 4 to 1e7.
   int steps_per_period = 2000;
   /// moreau: 1/2 (second order) to 1 (first order).
   double theta = 0.5;

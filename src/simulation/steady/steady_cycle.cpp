@@ -26,6 +26,9 @@ constexpr double nearly = 1e3, strictly = 1;
 // Where rounding errors would grow beyond this, no digits of the motion are left to speak of.
 constexpr double fastest_creep = 1e7;
 
+// So far below v* a stick is lost where rounding hides the whole motion, not where it is short.
+constexpr double most_without_stick = 1e-2;
+
 void check_reach(const Model& model) {
   check_settles(model);
   if (lost_in_resonance(model))
@@ -282,7 +285,13 @@ class SteadyCycleSearch {
   // moves forces by no more than its time. All ratios lie between 1 - a and 1, and near a free
   // swing of the body closer to 1.
   SteadyCycle finished(Mapped now, double more = 0) const {
-    if (now.trace.parts.size() == 1) more = 1 - velocity_ / model_.threshold;
+    if (now.trace.parts.size() == 1) {
+      more = 1 - velocity_ / model_.threshold;
+      if (more > most_without_stick)
+        throw ModelError(
+            "below the critical velocity the contact sticks in every period, but here its stick is "
+            "lost in rounding: the scene's times or stiffnesses lie too far apart for its motion");
+    }
     const double ratio = model_.load + now.trace.impulse() / two_pi;
     const auto [change, rounding] = error(now);
     // The contact's velocity is the small difference of the drive's and the creep.

@@ -48,6 +48,7 @@ BOOST_AUTO_TEST_CASE(options_out_of_range_are_refused) {
   refused([](MethodOptions& o) { o.tolerance = 0; });
   refused([](MethodOptions& o) { o.tolerance = std::nan(""); });
   refused([](MethodOptions& o) { o.steps_per_period = 3; });
+  refused([](MethodOptions& o) { o.steps_per_period = 10'000'001; });
   refused([](MethodOptions& o) { o.theta = 0.4; });
   refused([](MethodOptions& o) { o.regularisation = -1; });
 }
