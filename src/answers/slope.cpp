@@ -11,7 +11,7 @@ namespace vcrit {
 namespace {
 
 // Differences of fourth order err by the fourth power of a step, 1e-12, and noise over a step.
-constexpr double usual_step = 1e-3, longest_step = 0.05, shortest_step = 1e-9, shrinking = 4;
+constexpr double usual_step = 1e-3, widest_step = 0.05, narrowest_step = 1e-9, shrinking = 4;
 constexpr double good_enough = 1e-7;
 
 // f at -4 to 4 steps.
@@ -48,8 +48,8 @@ std::optional<Samples> samples_of(const std::function<std::optional<double>(doub
 
 Slope slope_at_zero(const std::function<std::optional<double>(double)>& f, double noise) {
   Slope best{0, infinity, 0, 0};
-  double step = std::clamp(std::pow(noise, 0.2), usual_step, longest_step);
-  for (; step >= shortest_step; step /= shrinking) {
+  double step = std::clamp(std::pow(noise, 0.2), usual_step, widest_step);
+  for (; step >= narrowest_step; step /= shrinking) {
     if (1.5 * noise / step >= best.error) break;  // no shorter step is better
     const auto values = samples_of(f, step);
     if (!values) continue;

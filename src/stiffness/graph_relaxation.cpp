@@ -17,7 +17,7 @@ namespace {
 
 // The first is enough for most graphs. The last is more than graphs need whose elements span the
 // whole range of doubles.
-constexpr slong least_bits = 384, most_bits = 384 << 6;
+constexpr slong coarsest_bits = 384, finest_bits = 384 << 6;
 
 constexpr slong product_bits = 106;  // the product of two doubles is exact with these
 
@@ -151,12 +151,12 @@ class NodalMatrix {
 
   // n, where the true matrix differs from the middles by less than 2^n in norm.
   slong log2_radius() const {
-    double largest = -most_bits;
+    double largest = -finest_bits;
     for (slong i = 0; i < size_; ++i)
       for (slong k = 0; k < size_; ++k)
         largest =
             std::max(largest, mag_get_d_log2_approx(arb_radref(arb_mat_entry(matrix_, i, k))));
-    largest = std::min(largest, static_cast<double>(most_bits));  // it may be infinite
+    largest = std::min(largest, static_cast<double>(finest_bits));  // it may be infinite
     return static_cast<slong>(largest + std::log2(size_)) + 1;
   }
 
@@ -279,7 +279,7 @@ Relaxation graph_relaxation(const RelaxationGraph& graph) {
                      fmt::format("{} inner nodes and branches after series and parallel", modes),
                      fmt::format("at most {}", most_modes));
   const NodalPair pair(graph);
-  for (slong bits = least_bits; bits <= most_bits; bits *= 2)
+  for (slong bits = coarsest_bits; bits <= finest_bits; bits *= 2)
     if (const auto form = form_with(pair, bits)) return form->rounded();
   throw Bug("a relaxation form is beyond the longest numbers");
 }

@@ -34,16 +34,16 @@ constexpr std::array<double, 26> small_letters{5.3, 4.3, 4.4, 5.3, 4.7, 6.0, 5.2
 constexpr std::array<double, 26> capitals{7.6, 8.1, 7.9, 8.4,  8.0,  7.9, 7.9, 9.2, 5.2,
                                           6.6, 9.3, 6.9, 10.9, 9.2,  7.9, 7.9, 8.0, 7.7,
                                           6.8, 7.3, 8.0, 8.1,  10.9, 9.1, 8.2, 7.6};
-constexpr double digit = 5.0, roman_letter = 5.6, greek_letter = 6.6, wide_letter = 8.4;
+constexpr double digit = 5.0, roman_width = 5.6, greek_width = 6.6, capital_width = 8.4;
 
 double letter_width(char c, bool roman) {
   if (std::isdigit(static_cast<unsigned char>(c)) != 0) return digit;
   if (c == 'm' || c == 'w') return 8.8;
-  if (roman && std::isupper(static_cast<unsigned char>(c)) != 0) return wide_letter;
-  if (roman) return roman_letter;
+  if (roman && std::isupper(static_cast<unsigned char>(c)) != 0) return capital_width;
+  if (roman) return roman_width;
   if (c >= 'a' && c <= 'z') return small_letters.at(static_cast<std::size_t>(c - 'a'));
   if (c >= 'A' && c <= 'Z') return capitals.at(static_cast<std::size_t>(c - 'A'));
-  return c == ',' ? 4.5 : c == '\'' || c == '|' ? 2.8 : roman_letter;
+  return c == ',' ? 4.5 : c == '\'' || c == '|' ? 2.8 : roman_width;
 }
 
 /// Of a name as the LaTeX dialect writes it: letters, \commands, {groups}, indices and exponents.
@@ -83,7 +83,7 @@ class NameWidth {
       if (left_.empty()) return 0;
       return part(style, name == "mathrm" || roman);
     }
-    return (name == "Delta" ? wide_letter : name.empty() ? digit : greek_letter) * scale(style);
+    return (name == "Delta" ? capital_width : name.empty() ? digit : greek_width) * scale(style);
   }
 
   std::string_view left_;
@@ -114,7 +114,7 @@ class FormWidth {
     const double inside = of(form.terms[0], style);
     if (form.text == "abs") return inside + 10;
     return inside + 24 +
-           (form.text == "exp" ? 0 : roman_letter * static_cast<double>(form.text.size()));
+           (form.text == "exp" ? 0 : roman_width * static_cast<double>(form.text.size()));
   }
 
   double of(const Signed& expression, Style style) const {

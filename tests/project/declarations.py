@@ -79,6 +79,12 @@ def name_of(words):
     return ("variable", names[-1]) if len(names) > 1 else None
 
 
+def others(words):
+    """The names behind the first in `constexpr int least = 1, most = 9`."""
+    words = without_templates(words)
+    return [words[i + 1] for i, word in enumerate(words[:-1]) if word == "," and IDENTIFIER.match(words[i + 1])]
+
+
 def declarations(text):
     words, result, namespace, at = list(tokens(text)), [], [], 0
     blocks = []  # the namespaces that each open brace added
@@ -117,7 +123,8 @@ def declarations(text):
                 at += 1
         found = name_of(head)
         if found:
-            result.append(Declaration(tuple(namespace), found[1], found[0], words[start][1]))
+            names = [found[1], *(others(head) if found[0] == "variable" else [])]
+            result += [Declaration(tuple(namespace), name, found[0], words[start][1]) for name in names]
         if at < len(words) and words[at][0] == "{":
             at = past(words, at)
             if (not found or found[0] != "function") or "=" in head:

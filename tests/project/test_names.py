@@ -125,6 +125,7 @@ class Rules(unittest.TestCase):
         a = "namespace vcrit { namespace { constexpr double turn = 2 * pi; struct Kind { int turn; }; } }"
         b = "namespace vcrit::fit { namespace { template <class T> T turn(std::vector<T> v) { return v[0]; } } }"
         self.assertEqual(1, len(clashes(trial(src_a_cpp=a, src_b_cpp=b))))
+        self.assertEqual(1, len(clashes(trial(src_a_cpp=a.replace("turn =", "half = pi, turn ="), src_b_cpp=b))))
         self.assertEqual([], clashes(trial(src_a_cpp=a, symbolic_b_cpp=b)))
         self.assertEqual([], clashes(trial(src_a_cpp=a.replace("vcrit", "vcrit::maps"), src_b_cpp=b)))
 

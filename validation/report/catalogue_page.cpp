@@ -21,10 +21,10 @@ namespace {
 
 using GiNaC::ex;
 
-constexpr int shown_branches = 3;  // of what takes arrays
+constexpr int catalogue_branches = 3;  // of what takes arrays
 std::string signature(const Rheology& rheology, const std::string& name = "") {
   std::string text = rheology.signature(name);
-  if (rheology.has_arrays()) text.insert(text.size() - 1, fmt::format(", {}", shown_branches));
+  if (rheology.has_arrays()) text.insert(text.size() - 1, fmt::format(", {}", catalogue_branches));
   return text;
 }
 
@@ -36,7 +36,7 @@ Problem problem_of(const std::string& normal, const std::string& rest) {
 Network network_of(const Rheology& rheology) {
   std::vector<std::string> names;
   for (const auto& [name, kind] : rheology.arguments) names.push_back(name);
-  return rheology.build(names, shown_branches);
+  return rheology.build(names, catalogue_branches);
 }
 
 /// One rheology and what is asked of it.

@@ -72,7 +72,7 @@ void become(const Command& command, char* const* arguments, char* const* environ
   setpgid(0, 0);
   Cleaner::get().watch(getpid());
   if (memory) limit_to(RLIMIT_AS, *memory);
-  limit_to(RLIMIT_FSIZE, largest_file);
+  limit_to(RLIMIT_FSIZE, largest_written_file);
   limit_to(RLIMIT_CORE, 0);
   close_range(STDERR_FILENO + 1, UINT_MAX, CLOSE_RANGE_CLOEXEC);
   if (set_streams(command) && chdir(command.folder.c_str()) == 0)

@@ -34,7 +34,7 @@ struct ProgramResult {
 };
 
 /// Of a started program, in bytes: the address space, and each file that it writes.
-inline constexpr std::uint64_t most_memory = 4ULL << 30, largest_file = 1ULL << 30;
+inline constexpr std::uint64_t most_memory = 4ULL << 30, largest_written_file = 1ULL << 30;
 
 /// Runs `arguments` (the program's path first) as they stand, without input, in `folder`, where its
 /// output and its temporary files are kept meanwhile (both absolute). When it has ended, and when
