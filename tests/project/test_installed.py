@@ -1,5 +1,6 @@
-"""`cmake --install` finds all that it takes after every command of ./dev that builds in build/release: they build the target
-vcrit_installed, and that has whatever is installed from the build folder."""
+"""What the commands of ./dev build. `cmake --install` finds all that it takes after every one that builds in build/release:
+they build the target vcrit_installed, and that has whatever is installed from the build folder. What `./dev demo` builds
+before that, vcrit_first, is compiled of its own choice of sources, and lacks none."""
 
 import re
 import subprocess
@@ -42,6 +43,39 @@ class Installed(unittest.TestCase):
         calls = re.findall(r'^ *compile ".*?" release ?(.*)$', dev, re.MULTILINE)
         self.assertEqual(set(calls), {"vcrit_first", "vcrit_installed"})
         self.assertLess(dev.index("release vcrit_first"), dev.index("release vcrit_installed"))
+
+
+class First(unittest.TestCase):
+    """Nothing else builds vcrit_first, which takes a minute."""
+
+    def test_lacks_no_source(self):
+        compiled = set()
+        for line in ninja("commands", "vcrit_first").splitlines():
+            source = re.search(r" -c (\S+\.cxx|\S+\.cpp)$", line)
+            if not source:
+                continue
+            text = Path(source[1]).read_text()
+            unit = re.findall(r'^#include "(/[^"]+\.cpp)"$', text, re.MULTILINE) if source[1].endswith(".cxx") else []
+            compiled |= {Path(file) for file in unit or [source[1]]}
+        self.assertGreater(len(compiled), 100)
+        lacking = set()
+        seen, new = set(), compiled
+        while new:
+            new = {header for file in new for header in headers_of(file)} - seen
+            seen |= new
+        for header in seen:
+            source = header.with_suffix(".cpp")
+            if source.exists() and source not in compiled:
+                lacking.add(str(source.relative_to(PROJECT)))
+        self.assertEqual(lacking, set(), "of rooms that app/CMakeLists.txt leaves out of vcrit_first")
+
+
+def headers_of(file):
+    """The project's headers that a source file includes itself."""
+    for name in re.findall(r'^#include "([^"/]+/[^"]+)"$', file.read_text(), re.MULTILINE):
+        for folder in ("src", "symbolic"):
+            if (PROJECT / folder / name).exists():
+                yield PROJECT / folder / name
 
 
 if __name__ == "__main__":
