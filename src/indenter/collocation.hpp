@@ -54,7 +54,8 @@ class Collocation {
   Rates rates_;
   Effort effort_;
   double tolerance_, next_length_ = 0;
-  Eigen::MatrixXd jacobian_, stages_, residual_;  ///< stages_: rates at the nodes, one a column
+  /// stages_: rates at the nodes, one a column, as residual_ and change_ are.
+  Eigen::MatrixXd jacobian_, stages_, residual_, change_;
   State value_, rate_, moved_;
 };
 
