@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <filesystem>
 
 #include "report/document.hpp"
 #include "report/graph_layout.hpp"
@@ -119,6 +120,38 @@ BOOST_AUTO_TEST_CASE(a_system_says_its_numbers) {
   for (const char* words : {" = 0.3", "(t) = 0.3 + 0.1 cos ωt µm", " = 11.5 N/µm", " = 9.47 N/µm"})
     BOOST_TEST(svg.find(words) != std::string::npos, words);
   BOOST_TEST(svg.find("may open") == std::string::npos);
+}
+
+// 14 units are at least 11 pixels on a phone of 390 pixels, 8 on either side of the drawing left free.
+BOOST_AUTO_TEST_CASE(a_drawing_can_be_read_on_a_phone) {
+  constexpr double narrowest = 390 - 2 * 8, units = 14, pixels = 11;
+  for (const auto& entry : std::filesystem::directory_iterator(VCRIT_SCENES)) {
+    if (entry.path().extension() != ".toml") continue;
+    const Picture picture = draw_system(read_scene(entry.path().string()));
+    const auto page = record::page_of(picture);
+    BOOST_TEST(page.at("width").get<double>() <= narrowest * units / pixels, entry.path());
+  }
+}
+
+// What would be too wide has its drive above, then its numbers below, all of them.
+BOOST_AUTO_TEST_CASE(a_wide_system_is_drawn_in_less_room) {
+  const auto drawn = [](const std::string& drive, const std::string& contact) {
+    return svg_of(draw_system(parse_scene(
+        "[contact]\nnormal = \"kn | (k1 - c1)\"\n" + contact + "[drive]\nnetwork = \"" + drive +
+            "\"\n[oscillation]\nfrequency = 2e4\namplitude = 1e-7\nindentation = 5e-7\n"
+            "[friction]\ncoefficient = 0.25\n[elements]\nkn = 8e6\nk1 = 4e6\nc1 = 30\nkd = 2e6\n"
+            "cd = 5\nkt = 3e6\nct = 7\n",
+        "s.toml")));
+  };
+  const std::string isotropic = "poisson = 0.3\n";
+  const std::vector<std::string> numbers{"= 8 N/µm", "= 4 N/µm", "= 30 N.s/m", "= 2 N/µm", "0.25"};
+  for (const auto& [drive, contact] :
+       {std::pair(std::string("kd"), isotropic), std::pair(std::string("kd - cd"), isotropic),
+        std::pair(std::string("kd - cd"), std::string("tangential = \"kt - ct\"\n"))}) {
+    const std::string svg = drawn(drive, contact);
+    for (const std::string& number : numbers)
+      BOOST_TEST(occurrences(svg, number) == 1U, drive << ", " << number);
+  }
 }
 
 // A network that stands has its words beside it, and they are read without tilting one's head.

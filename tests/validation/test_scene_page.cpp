@@ -191,7 +191,7 @@ BOOST_AUTO_TEST_CASE(a_wide_system_has_a_row_of_its_own) {
   const std::string film = page_of(example::scene_report(R"toml(title = "Film"
 [contact]
 normal = "zener(kn, kn1, cn1)"
-tangential = "burgers(k1, c1, k2, c2)"
+tangential = "k1 - c1 - k2 - c2 - k1 - c1 - k2 - c2"
 [drive]
 network = "kd | cd"
 [oscillation]

@@ -23,7 +23,6 @@ constexpr double branch_gap = 2;      // between stacked branches
 constexpr double connection = 10;     // between elements in series
 constexpr double beside = 13;         // from a standing element to its names
 constexpr const char* no_width = "\u200b";
-constexpr std::size_t most_branches = 6, shown_branches = 5;
 
 const char* const spring_path = "M0 0H18l4 -8l8 16l8 -16l8 16l8 -16l8 16l4 -8H84";
 const char* const damper_path = "M0 0H32V-10H56M32 0V10H56M46 -7V7M46 0H84";
@@ -145,7 +144,7 @@ Drawing more_branches(std::size_t count, const NetworkLook& look) {
 Drawing draw_parallel(const Parallel& parallel, const NetworkLook& look) {
   std::vector<Drawing> branches;
   const std::size_t count = parallel.parts.size(),
-                    shown = count > most_branches ? shown_branches : count;
+                    shown = count > look.most_branches ? look.most_branches - 1 : count;
   for (std::size_t i = 0; i < shown; ++i) branches.push_back(draw(parallel.parts[i], look));
   if (shown < count) branches.push_back(more_branches(count - shown, look));
   if (look.standing) std::reverse(branches.begin(), branches.end());  // the first is on the left

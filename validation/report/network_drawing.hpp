@@ -46,9 +46,10 @@ struct NetworkLook {
   bool standing = false;  ///< terminals at (0, 0) and (0, width) when standing() has turned it
   /// What follows the name of a number, as " = 8 N/µm"; none: nothing.
   std::function<std::string(const Symbol&)> value = {};
+  std::size_t most_branches = 6;
 };
 
-/// Of more than six parallel branches the first five, and how many more there are.
+/// Of more than most_branches parallel branches all but one of these, and how many more there are.
 Drawing draw(const Network& network, const NetworkLook& look = {});
 
 /// A network that was drawn standing, turned downwards from (0, 0): `above` is to its right.

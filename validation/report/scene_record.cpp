@@ -265,9 +265,9 @@ void pictures(Fields& f, const SceneReport& scene) {
 
 /// More are folded, so that what comes after them is seen.
 constexpr std::size_t most_limits = 4;
-/// A drawing of the system that is wider has a row of its own: beside the chart there are 400
-/// pixels, in which its words would be smaller than 8.
-constexpr double widest_beside = 700;  // px
+/// A drawing of the system that is wider has a row of its own: beside the chart there are 418
+/// pixels, in which its words would be smaller than 11.
+constexpr double widest_beside = 530;  // px
 
 void fields(Fields& f, const report::SceneContents& contents) {
   const SceneReport& scene = contents.report;

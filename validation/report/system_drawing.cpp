@@ -6,6 +6,7 @@
 #include <map>
 
 #include "network/law.hpp"
+#include "report/canvas.hpp"
 #include "report/units.hpp"
 
 namespace vcrit::validation::report {
@@ -15,6 +16,10 @@ namespace {
 constexpr double body_height = 44, plate_height = 20, foot_height = 16, foot_width = 44;  // px
 constexpr double body_reach = 48;            // to the left of the middle, at least
 constexpr std::size_t most_with_values = 4;  // names and values of more would need too much room
+// On a phone of 390 pixels, 374 beside its margins, 14 units are 11 pixels: 476 units, 16 of them
+// the margins of an image.
+constexpr double phone_width = 460;
+constexpr std::size_t narrow_branches = 4;
 
 Word italic(const char* letter) { return {"letter", letter, ""}; }
 Word lowered(const char* index) { return {"index", index, "4"}; }
@@ -22,34 +27,9 @@ Word plain(const std::string& words) { return {"", words, ""}; }
 /// After a letter with an index, back on the line.
 Word raised(const std::string& words) { return {"", words, "-4"}; }
 
-/// A picture that grows with what is put into it; x from the middle of the body, y from its bottom.
-class Canvas {
- public:
-  void put(const Shapes& shapes) { all_.add(shapes); }
-  void reach(double left, double right, double top, double bottom) {
-    left_ = std::min(left_, left);
-    right_ = std::max(right_, right);
-    all_.above = std::max(all_.above, -top);
-    all_.below = std::max(all_.below, bottom);
-  }
-  void write(double x, double y, const Label& words, const char* anchor = "start") {
-    const double width = width_of(words);
-    const double left = anchor[0] == 's' ? x : anchor[0] == 'e' ? x - width : x - width / 2;
-    reach(left, left + width, y - 14, y + 6);
-    put({text(x, y, words, anchor)});
-  }
-  double left() const { return left_; }
-  double right() const { return right_; }
-  Picture picture(const std::string& description) {
-    all_.shapes = moved(-left_, 0, all_.shapes);
-    all_.width = right_ - left_;
-    return {all_, description};
-  }
-
- private:
-  Drawing all_;
-  double left_ = 0, right_ = 0;
-};
+/// How a system is drawn, the widest first: with the drive beside the body or above it, with
+/// numbers in the drawing or below it.
+enum class Layout { drive_beside, drive_above, names_alone };
 
 std::string value_words(const Problem& problem, const Quantity& quantity, const char* unit) {
   return " = " + vcrit::validation::report::quantity(problem.value(quantity), unit, 4);
@@ -58,23 +38,30 @@ std::string value_words(const Problem& problem, const Quantity& quantity, const 
 /// Elements by the names that the scene gives them, with values unless they are many.
 class DrawnNetwork {
  public:
-  DrawnNetwork(const Problem& problem, const ReducedNetwork& given, bool standing,
+  DrawnNetwork(const Problem& problem, const ReducedNetwork& given, bool standing, Layout layout,
                bool of_half_space = false)
       : look_{standing, {}} {
     Network network = given.network();
     std::map<Symbol, std::string> words;
+    std::vector<Symbol> order;
     for_each_element(given.network(), [&](const Element& element) {
       for_each_number(element, [&](const Symbol& symbol, NumberRole role) {
         const NumberRow& row = number_row(role);
         const Dimension dimension = of_half_space ? row.in_half_space : row.dimension;
         const char* unit = dimension == Dimension::none ? "" : si_unit(dimension);
         const auto known = problem.values().find(symbol);
-        if (known != problem.values().end())
-          words[as_called(problem, symbol)] = " = " + quantity(known->second, unit, 4);
+        if (known == problem.values().end()) return;
+        order.push_back(as_called(problem, symbol));
+        words[order.back()] = " = " + quantity(known->second, unit, 4);
       });
     });
     rename(network, [&](const Symbol& symbol) { return as_called(problem, symbol); });
-    if (numbers_in(network) <= most_with_values)
+    if (layout == Layout::names_alone) {
+      look_.most_branches = narrow_branches;
+      if (numbers_in(network) <= most_with_values)
+        for (const Symbol& symbol : order)
+          values_.push_back(joined({label(symbol), {plain(words[symbol])}}));
+    } else if (numbers_in(network) <= most_with_values)
       look_.value = [words](const Symbol& symbol) {
         const auto found = words.find(symbol);
         return found == words.end() ? std::string() : found->second;
@@ -82,6 +69,8 @@ class DrawnNetwork {
     drawing_ = draw(network, look_);
   }
   const Drawing& drawing() const { return drawing_; }
+  /// "k_0 = 8 N/µm", where the drawing has names alone.
+  const std::vector<Label>& values() const { return values_; }
 
  private:
   static std::size_t numbers_in(const Network& network) {
@@ -94,6 +83,7 @@ class DrawnNetwork {
 
   NetworkLook look_;
   Drawing drawing_;
+  std::vector<Label> values_;
 };
 
 /// A hatched edge from x to x + length; the hatching lies below it.
@@ -159,70 +149,105 @@ const char* profile(Indenter::Shape shape) {
   throw Bug("an indenter without a shape");
 }
 
+/// Draws one system in one layout.
+class SystemDrawing {
+ public:
+  SystemDrawing(const Problem& problem, Layout layout) : problem_(problem), layout_(layout) {}
+  double width() const { return canvas_.width(); }
+  Picture drawn();
+
+ private:
+  struct Contact {
+    double bottom = 0, right = 0;  ///< of what is below the body, and how far the body must reach
+  };
+
+  bool in_list() const { return layout_ == Layout::names_alone; }
+  Drawing network(const ReducedNetwork& given, bool standing);
+  double draw_half_space(const Drawing& network);
+  double draw_tangential(const Drawing& network, double y, double from, double at);
+  Contact draw_contact(const Drawing& normal);
+  double draw_drive(double x, double y);
+  double draw_drive_above(double x, double top);
+  double draw_mount(double top, const Drawing& mount);
+  void draw_motion(double moving, double drive_top);
+
+  const Problem& problem_;
+  Layout layout_;
+  Canvas canvas_;
+  std::string words_ = "Substrate, contact, its network along the normal";
+  std::vector<Label> list_;  ///< of numbers, where they are below the drawing
+};
+
+Drawing SystemDrawing::network(const ReducedNetwork& given, bool standing) {
+  const bool of_half_space = problem_->indenter && &given == &problem_->normal;
+  const DrawnNetwork drawn(problem_, given, standing, layout_, of_half_space);
+  list_.insert(list_.end(), drawn.values().begin(), drawn.values().end());
+  return drawn.drawing();
+}
+
 /// The material of the half-space below the indenter, with its network within. Returns how far
 /// down.
-double draw_half_space(Canvas& canvas, const Problem& problem, const Drawing& network) {
+double SystemDrawing::draw_half_space(const Drawing& network) {
   constexpr double depth = 14;  // of the network's upper end
   const double bottom = depth + network.width;
-  canvas.put({path(profile(problem->indenter->shape), "")});
-  canvas.put({path("M-92 0H-34M34 0H92", "heavy"), line(0, 6, 0, depth)});
-  canvas.put(moved(0, depth, standing(network)));
-  canvas.reach(-92, 92, 0, bottom);
-  canvas.write(-66, -6, coefficient_words(problem), "end");
+  canvas_.put({path(profile(problem_->indenter->shape), "")});
+  canvas_.put({path("M-92 0H-34M34 0H92", "heavy"), line(0, 6, 0, depth)});
+  canvas_.put(moved(0, depth, standing(network)));
+  canvas_.reach(-92, 92, 0, bottom);
+  canvas_.write(-66, -6, coefficient_words(problem_), "end");
   return bottom;
 }
 
 /// The contact's own network along the surface, from the foot to an arm of the body at `at`.
-double draw_tangential(Canvas& canvas, const Drawing& network, double y, double from, double at) {
+double SystemDrawing::draw_tangential(const Drawing& network, double y, double from, double at) {
   const double start = at - network.width - 10;
-  canvas.put({line(from, y, start, y), line(at - 10, y, at, y),
-              path(fmt::format("M{0:.1f} 0V{1:.1f}", at, y + 8), "heavy")});
-  canvas.put(moved(start, y, network.shapes));
-  canvas.reach(from, at, y - network.above, y + network.below);
+  canvas_.put({line(from, y, start, y), line(at - 10, y, at, y),
+               path(fmt::format("M{0:.1f} 0V{1:.1f}", at, y + 8), "heavy")});
+  canvas_.put(moved(start, y, network.shapes));
+  canvas_.reach(from, at, y - network.above, y + network.below);
   return at;
 }
 
-struct Contact {
-  double bottom = 0, right = 0;  ///< of what is below the body, and how far the body must reach
-};
-
-Contact draw_contact(Canvas& canvas, const Problem& problem, const Drawing& normal) {
-  const auto* own = std::get_if<ReducedNetwork>(&problem->tangential);
-  const Drawing tangential =
-      own == nullptr ? Drawing() : DrawnNetwork(problem, *own, false).drawing();
+SystemDrawing::Contact SystemDrawing::draw_contact(const Drawing& normal) {
+  const auto* own = std::get_if<ReducedNetwork>(&problem_->tangential);
+  const Drawing tangential = own == nullptr ? Drawing() : network(*own, false);
   const double foot = own == nullptr ? foot_height : std::max(foot_height, tangential.below + 16);
-  const double gap = problem->separation ? 7 : 0;
+  const double gap = problem_->separation ? 7 : 0;
   const double sole = normal.width + foot, surface = sole + gap;
-  canvas.put(standing(normal));
-  canvas.reach(-normal.below, normal.above, 0, surface);
-  canvas.put({path(fmt::format("M{:.1f} {:.1f}h{:.1f}v{:.1f}h{:.1f}z", -foot_width / 2,
-                               normal.width, foot_width, foot, -foot_width),
-                   "solid")});
+  canvas_.put(standing(normal));
+  canvas_.reach(-normal.below, normal.above, 0, surface);
+  canvas_.put({path(fmt::format("M{:.1f} {:.1f}h{:.1f}v{:.1f}h{:.1f}z", -foot_width / 2,
+                                normal.width, foot_width, foot, -foot_width),
+                    "solid")});
   double right = std::max(normal.above, body_reach);
   if (own != nullptr)
-    right = draw_tangential(canvas, tangential, normal.width + 8, foot_width / 2,
+    right = draw_tangential(tangential, normal.width + 8, foot_width / 2,
                             right + tangential.width + 20) +
             8;
-  const double left = std::min(-normal.below, -body_reach) - 40;
-  canvas.put(ground(left, surface, std::max(right, body_reach) + 12 - left));
-  canvas.reach(left, right, surface, surface + 8);
-  canvas.write(-foot_width / 2 - 8, surface - 6, coefficient_words(problem), "end");
-  if (gap > 0) canvas.write(foot_width / 2 + 8, surface - 3, {plain("may open")});
+  const double left = std::min(-normal.below, -body_reach) - (in_list() ? 8 : 40);
+  canvas_.put(ground(left, surface, std::max(right, body_reach) + (in_list() ? 0 : 12) - left));
+  canvas_.reach(left, right, surface, surface + 8);
+  if (in_list())
+    list_.insert(list_.begin(), coefficient_words(problem_));
+  else
+    canvas_.write(-foot_width / 2 - 8, surface - 6, coefficient_words(problem_), "end");
+  if (gap > 0) canvas_.write(foot_width / 2 + 8, surface - 3, {plain("may open")});
   return {surface, right};
 }
 
-/// Right of the body, with the arrow of its speed.
-void draw_drive(Canvas& canvas, const Problem& problem, double x, double y, std::string& words) {
-  double at = x;
+/// From (x, y) to the right, with the arrow of its speed. Returns how far up.
+double SystemDrawing::draw_drive(double x, double y) {
+  double at = x, top = y;
   const auto add = [&](const Drawing& drawing) {
-    canvas.put(moved(at, y, drawing.shapes));
-    canvas.reach(at, at + drawing.width, y - drawing.above, y + drawing.below);
+    canvas_.put(moved(at, y, drawing.shapes));
+    canvas_.reach(at, at + drawing.width, y - drawing.above, y + drawing.below);
     at += drawing.width;
+    top = std::min(top, y - drawing.above);
   };
   std::visit(Overloaded{[](const Rigid&) {},
                         [&](const ReducedNetwork& drive) {
-                          add(DrawnNetwork(problem, drive, false).drawing());
-                          words += ", drive network";
+                          add(network(drive, false));
+                          words_ += ", drive network";
                         },
                         [&](const Receptance&) {
                           add({92,
@@ -230,76 +255,113 @@ void draw_drive(Canvas& canvas, const Problem& problem, double x, double y, std:
                                26,
                                {line(0, 0, 10, 0), path("M10 -22H82V22H10z", "solid"),
                                 text(46, 5, label({"R_d"})), line(82, 0, 92, 0)}});
-                          words += ", measured drive";
+                          words_ += ", measured drive";
                         }},
-             problem->drive);
+             problem_->drive);
   add({58,
        26,
        8,
        {line(0, 0, 12, 0), path("M12 0H50M42 -5L51 0L42 5", "arrow"),
         text(32, -11, {italic("v"), lowered("0")})}});
+  return top;
+}
+
+/// From a post on the body at (x, top), so high that the drive clears the body.
+double SystemDrawing::draw_drive_above(double x, double top) {
+  constexpr double clear = 8;
+  const auto* drive = std::get_if<ReducedNetwork>(&problem_->drive);
+  const double below =
+      drive == nullptr ? 22 : DrawnNetwork(problem_, *drive, false, layout_).drawing().below;
+  const double y = top - below - clear;
+  canvas_.put({line(x, top, x, y)});
+  return draw_drive(x, y);
 }
 
 /// Above the body: the mount and, at its upper end, the vibrator. Returns where that ends.
-double draw_mount(Canvas& canvas, const Problem& problem, double top, std::string& words) {
+double SystemDrawing::draw_mount(double top, const Drawing& mount) {
   constexpr double half_width = 44, height = 22;
-  const Drawing mount = DrawnNetwork(problem, *problem->mount, true).drawing();
   const double lower = top - mount.width, upper = lower - height;
-  canvas.put(moved(0, lower, standing(mount)));
-  canvas.reach(-mount.below, mount.above, lower, top);
-  canvas.put({path(fmt::format("M{:.1f} {:.1f}H{:.1f}V{:.1f}H{:.1f}z", -half_width, upper,
-                               half_width, lower, -half_width),
-                   "solid")});
-  canvas.reach(-half_width, half_width, upper, lower);
-  canvas.write(0, (upper + lower) / 2 + 5, {plain("vibrator")}, "middle");
-  if (problem->mount_mass &&
-      !(problem->mass && problem->mass->symbol == problem->mount_mass->symbol))
-    canvas.write(
-        -half_width - 12, top + (problem->mass ? 20 : 6),  // beside the body or its plate
-        joined({label(as_called(problem, problem->mount_mass->symbol)),
-                {plain(value_words(problem, *problem->mount_mass, "kg") + " along the normal")}}),
-        "end");
-  words += ", mount, vibrator";
+  canvas_.put(moved(0, lower, standing(mount)));
+  canvas_.reach(-mount.below, mount.above, lower, top);
+  canvas_.put({path(fmt::format("M{:.1f} {:.1f}H{:.1f}V{:.1f}H{:.1f}z", -half_width, upper,
+                                half_width, lower, -half_width),
+                    "solid")});
+  canvas_.reach(-half_width, half_width, upper, lower);
+  canvas_.write(0, (upper + lower) / 2 + 5, {plain("vibrator")}, "middle");
+  if (problem_->mount_mass &&
+      !(problem_->mass && problem_->mass->symbol == problem_->mount_mass->symbol)) {
+    const Label mass = joined(
+        {label(as_called(problem_, problem_->mount_mass->symbol)),
+         {plain(value_words(problem_, *problem_->mount_mass, "kg") + " along the normal")}});
+    if (in_list())
+      list_.push_back(mass);
+    else  // beside the body or its plate
+      canvas_.write(-half_width - 12, top + (problem_->mass ? 20 : 6), mass, "end");
+  }
+  words_ += ", mount, vibrator";
   return upper;
+}
+
+/// The words stand above the arrow and above the drive.
+void SystemDrawing::draw_motion(double moving, double drive_top) {
+  constexpr double clear = 6;
+  const double lift =
+      layout_ == Layout::drive_beside ? 0 : std::max(0.0, moving - 38 - (drive_top - clear));
+  canvas_.put(arrow_to_both_sides(moving - 34 - lift, 26 + lift));
+  canvas_.reach(-5, 5, moving - 36 - lift, moving);
+  // They may not reach further to the left than what is below them, where there is no room.
+  if (in_list())
+    canvas_.write(canvas_.left(), moving - 44 - lift, oscillation_words(problem_));
+  else
+    canvas_.write(0, moving - 44 - lift, oscillation_words(problem_), "middle");
+}
+
+Picture SystemDrawing::drawn() {
+  const Drawing normal = network(problem_->normal, true);
+  const Contact contact =
+      problem_->indenter ? Contact{draw_half_space(normal), 60} : draw_contact(normal);
+  const Drawing mount = problem_->mount ? network(*problem_->mount, true) : Drawing();
+  const double post = std::max(14.0, mount.above) + 16;  // of a drive above the body
+  const double left = problem_->indenter ? -60 : -body_reach,
+               right = std::max({contact.right, body_reach,
+                                 layout_ == Layout::drive_beside ? 0 : post + 8}),
+               bottom = problem_->indenter ? -16 : 0,
+               top = bottom - (problem_->mass ? body_height : plate_height);
+  canvas_.put(
+      {path(fmt::format("M{:.1f} {:.1f}H{:.1f}V{:.1f}H{:.1f}z", left, top, right, bottom, left),
+            problem_->indenter ? "" : "solid")});
+  canvas_.reach(left, right, top, bottom);
+  if (problem_->mass) {
+    canvas_.write((left + right) / 2, (top + bottom) / 2 + 5,
+                  joined({label(as_called(problem_, problem_->mass->symbol)),
+                          {plain(value_words(problem_, *problem_->mass, "kg"))}}),
+                  "middle");
+    words_ += ", body";
+  }
+  const double drive_top = layout_ == Layout::drive_beside ? draw_drive(right, (top + bottom) / 2)
+                                                     : draw_drive_above(post, top);
+  draw_motion(problem_->mount ? draw_mount(top, mount) : top, drive_top);
+  double below = contact.bottom + 28;
+  const auto* isotropic = std::get_if<Isotropic>(&problem_->tangential);
+  if (isotropic != nullptr && tangential_ratio(*isotropic) != 1) {
+    canvas_.write(canvas_.left(), below,
+                  {plain(fmt::format("along the surface {:.4g} × the same network",
+                                     tangential_ratio(*isotropic)))});
+    below += 20;
+  }
+  canvas_.list(below, list_, phone_width);
+  return canvas_.picture(words_ + ", moved at constant velocity");
 }
 
 }  // namespace
 
 Picture draw_system(const Problem& problem) {
-  Canvas canvas;
-  const Drawing normal =
-      DrawnNetwork(problem, problem->normal, true, problem->indenter.has_value()).drawing();
-  std::string words = "Substrate, contact, its network along the normal";
-  Contact contact;
-  if (problem->indenter)
-    contact = {draw_half_space(canvas, problem, normal), 60};
-  else
-    contact = draw_contact(canvas, problem, normal);
-  const double left = problem->indenter ? -60 : -body_reach,
-               right = std::max(contact.right, body_reach), bottom = problem->indenter ? -16 : 0,
-               top = bottom - (problem->mass ? body_height : plate_height);
-  canvas.put(
-      {path(fmt::format("M{:.1f} {:.1f}H{:.1f}V{:.1f}H{:.1f}z", left, top, right, bottom, left),
-            problem->indenter ? "" : "solid")});
-  canvas.reach(left, right, top, bottom);
-  if (problem->mass) {
-    canvas.write((left + right) / 2, (top + bottom) / 2 + 5,
-                 joined({label(as_called(problem, problem->mass->symbol)),
-                         {plain(value_words(problem, *problem->mass, "kg"))}}),
-                 "middle");
-    words += ", body";
+  for (const Layout layout : {Layout::drive_beside, Layout::drive_above}) {
+    SystemDrawing drawer(problem, layout);
+    Picture picture = drawer.drawn();
+    if (drawer.width() <= phone_width) return picture;
   }
-  draw_drive(canvas, problem, right, (top + bottom) / 2, words);
-  const double moving = problem->mount ? draw_mount(canvas, problem, top, words) : top;
-  canvas.put(arrow_to_both_sides(moving - 34, 26));
-  canvas.reach(-5, 5, moving - 36, moving);
-  canvas.write(0, moving - 44, oscillation_words(problem), "middle");
-  const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
-  if (isotropic != nullptr && tangential_ratio(*isotropic) != 1)
-    canvas.write(canvas.left(), contact.bottom + 28,
-                 {plain(fmt::format("along the surface {:.4g} × the same network",
-                                    tangential_ratio(*isotropic)))});
-  return canvas.picture(words + ", moved at constant velocity");
+  return SystemDrawing(problem, Layout::names_alone).drawn();
 }
 
 }  // namespace vcrit::validation::report
