@@ -77,8 +77,15 @@ BOOST_AUTO_TEST_CASE(a_contact_that_opens) {
       BOOST_TEST(curve.friction[i] - curve.friction[i - 1] >= -1e-12);
   }
   BOOST_TEST(separation.curves.back().friction.front() < 0.05);
-  BOOST_TEST(std::count_if(separation.curves.begin(), separation.curves.end(),
-                           [](const FrictionCurve& curve) { return curve.own; }) == 1);
+  // Few enough to be told apart, by what a scene says.
+  std::vector<std::string> names;
+  for (const FrictionCurve& curve : separation.curves) {
+    names.push_back(curve.name);
+    BOOST_TEST(curve.own == (curve.name == "1.5 µm, this scene"));
+  }
+  const std::vector<std::string> expected{"0.198 µm, closed", "0.397 µm, opens",
+                                          "1.5 µm, this scene", "3.97 µm"};
+  BOOST_TEST(names == expected, boost::test_tools::per_element());
 }
 
 // The map against a motion simulated here.

@@ -8,6 +8,7 @@
 #include "analysis/separation.hpp"
 #include "answers/ringing.hpp"
 #include "base/constants.hpp"
+#include "base/rounded.hpp"
 #include "compare/formulas.hpp"
 #include "compare/velocity_comparisons.hpp"
 #include "critical/admissibility.hpp"
@@ -27,8 +28,9 @@ namespace {
 using simulation::Motion;
 using simulation::System;
 
-// Of the border of separation, on both sides of it.
-constexpr double border_shares[] = {0.5, 0.9, 1, 1.5, 3, 10};
+// Of the border of separation: closed, at it, and far beyond. More could not be told apart, as from
+// three times the border on the curves lie close together.
+constexpr double border_shares[] = {0.5, 1, 10};
 
 std::vector<double> separation_ratios() {
   std::vector<double> ratios{0.005, 0.01, 0.02, 0.03};
@@ -83,8 +85,9 @@ std::vector<FrictionCurve> curves_of(const Problem& problem, double border) {
   for (const double share : shares) {
     curves.push_back(separation_curve(
         share == own ? problem : at_amplitude(problem, share * border * indentation)));
-    curves.back().name = fmt::format("{:.3g} of the border", share);
     curves.back().own = share == own;
+    const char* remark = share == own ? ", this scene" : share < 1 ? ", closed" : share == 1 ? ", opens" : "";
+    curves.back().name = rounded(share * border * indentation, "m", 3) + remark;
   }
   return curves;
 }

@@ -19,9 +19,8 @@ Figure amplitude_figure(const Separation& separation) {
   figure.name = "friction_by_amplitude";
   figure.title = "Friction ratio over speed, by amplitude";
   figure.caption =
-      "Each curve is of one amplitude, in units of the one at which the contact begins to open. "
-      "Its "
-      "speeds are in units of Eq. (24) at that amplitude. Thick dots: this scene.";
+      "A curve for each amplitude, over speed in units of Eq. (24) at that amplitude. "
+      "Dots: this scene.";
   return figure;
 }
 
