@@ -2,7 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <string_view>
 
 #include "base/constants.hpp"
 #include "base/numbers.hpp"
@@ -33,19 +36,50 @@ constexpr std::array<Usual, 5> usual_numbers{
      {"angular_frequency", least_frequency* two_pi, no_limit, "rad/s", "radians a second",
       "krad/s"}}};
 
+/// "N/um" of "8 N/um"; nothing of a bare number. The text is a quantity already.
+std::string unit_of(const std::string& text) {
+  const auto begin = text.find_first_of("0123456789");
+  if (begin == text.npos) return {};
+  const std::string number_and_unit = text.substr(begin);
+  const auto end =
+      std::min(number_and_unit.find_first_not_of("0123456789.+-eE"), number_and_unit.size());
+  const std::size_t length = leading_number(std::string_view(number_and_unit).substr(0, end)).length;
+  const auto unit = number_and_unit.find_first_not_of(" \t", length);
+  return unit == number_and_unit.npos ? std::string() : number_and_unit.substr(unit);
+}
+
 }  // namespace
+
+std::string nearer_unit(double set, const std::string& text, Dimension dimension) {
+  const std::string unit = unit_of(text);
+  if (unit.empty() || !(set > 0)) return {};
+  const double own = parse_quantity(text, dimension, {});
+  const double meant = parse_quantity(fmt::format("{} {}", to_text(set), unit), dimension, {});
+  if (!(own > 0 && meant > 0)) return {};
+  const bool nearer = std::abs(std::log(meant / own)) < std::abs(std::log(set / own));
+  return nearer ? unit : std::string();
+}
 
 std::vector<Warning> suspicious_bare_numbers(const std::vector<BareNumber>& numbers) {
   std::vector<Warning> warnings;
-  for (const auto& [key, value, place] : numbers)
-    for (const Usual& usual : usual_numbers) {
-      if (key != usual.key || value == 0 || (value >= usual.least && value < usual.most)) continue;
-      const std::string number = to_text(value);
+  for (const BareNumber& it : numbers) {
+    const std::string number = to_text(it.value);
+    const auto* usual = std::find_if(
+        usual_numbers.begin(), usual_numbers.end(), [&](const Usual& row) {
+          return it.key == row.key && it.value != 0 &&
+                 !(it.value >= row.least && it.value < row.most);
+        });
+    if (usual != usual_numbers.end())
       warnings.push_back(
-          {place, fmt::format("{} {} {}: a bare number is in {}; if {} are meant, write \"{} {}\"",
-                              key, number, usual.unit, usual.words, usual.other_unit, number,
-                              usual.other_unit)});
-    }
+          {it.place, fmt::format("{} {} {}: a bare number is in {}; if {} are meant, write \"{} {}\"",
+                                 it.key, number, usual->unit, usual->words, usual->other_unit,
+                                 number, usual->other_unit)});
+    else if (!it.unit.empty())
+      warnings.push_back(
+          {it.place, fmt::format("{0} {1} {2}: a bare number is in {2}, and the scene gives {0} in "
+                                 "{3}; if that is meant, write \"{1} {3}\"",
+                                 it.key, number, si_unit(it.dimension), it.unit)});
+  }
   return warnings;
 }
 

@@ -182,6 +182,7 @@ void ElementValues::read_entry(const Symbol& entry, const ElementUse& use, const
   const Place place = document::place_of(*node, file_);
   const auto value = number(*node, use.dimension, label, place);
   if (value && !set) put(symbol, *value, place);
+  if (set) quantities_.compare(label, *set, node, use.dimension);
 }
 
 void ElementValues::put(const Symbol& symbol, const TypedNumber& number, const Place& place) {

@@ -100,6 +100,7 @@ void Quantities::read_value(Quantity& quantity, const document::Section& section
     if (const auto value = settings_.take(either, dimension, symbol)) {
       quantity.value = checked(value->value, range, either, OverridingValues::place(either));
       note(symbol, key, *value, {});
+      compare(key, *value, node, dimension);
     }
   if (node == nullptr || given) return;
   const auto value = number(*node, dimension, key, section.place(key));
@@ -117,6 +118,22 @@ void Quantities::note(const Symbol& symbol, const char* key, const TypedNumber& 
     bare_.push_back({key, number.value, place});
   else
     gives_units_ = true;
+}
+
+void Quantities::compare(const std::string& name, const TypedNumber& set, const toml::node* node,
+                         Dimension dimension) {
+  if (!set.is_bare || node == nullptr || !node->is_string() || bare_name(*node)) return;
+  const std::string unit = nearer_unit(set.value, node->ref<std::string>(), dimension);
+  if (unit.empty()) return;
+  gives_units_ = true;
+  const auto noted = std::find_if(bare_.begin(), bare_.end(), [&](const BareNumber& it) {
+    return it.key == name && it.unit.empty() && it.value == set.value;
+  });
+  const BareNumber number{name, set.value, {}, unit, dimension};
+  if (noted == bare_.end())
+    bare_.push_back(number);
+  else
+    *noted = number;
 }
 
 std::vector<Warning> Quantities::warnings() const {

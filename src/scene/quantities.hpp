@@ -71,6 +71,10 @@ class Quantities {
   /// Two names of one quantity, of which --set may give one.
   void refuse_both(const std::string& name, const std::string& other) const;
 
+  /// Notes that --set gives `name` a bare number where the scene's `node` has a unit, if it is
+  /// probably meant to be of that. Throws InputError where the node is no such quantity.
+  void compare(const std::string& name, const TypedNumber& set, const toml::node* node,
+               Dimension dimension);
   /// What to warn of where a number has no unit and others of them have one.
   std::vector<Warning> warnings() const;
 

@@ -149,6 +149,18 @@ BOOST_AUTO_TEST_CASE(a_bare_number_of_another_size_is_warned_of) {
   BOOST_TEST(examine_scene(with_lines({{5, "frequency = 28"}}), "s.toml").warnings.size() == 1U);
   BOOST_TEST(parse_scene(fine, "s.toml", {{"amplitude", "0.2"}}).warnings.size() == 1U);
   BOOST_TEST(parse_scene(fine, "s.toml", {{"frequency", "28"}}).warnings.size() == 1U);
+  BOOST_TEST(parse_scene(fine, "s.toml", {{"omega", "28"}}).warnings.size() <= 1U);
+  BOOST_TEST(parse_scene(fine, "s.toml", {{"du_z", "0.2"}}).warnings.size() == 1U);
+  // In place of a number with a unit: what is of its size in that unit, and not in SI.
+  const auto set = [](const std::string& name, const std::string& value) {
+    const auto found = parse_scene(fine, "s.toml", {{name, value}}).warnings;
+    return found.empty() ? std::string() : std::string(found.front());
+  };
+  BOOST_TEST(set("k0", "4") ==
+             "k0 4 N/m: a bare number is in N/m, and the scene gives k0 in N/um; if that is meant, "
+             "write \"4 N/um\"");
+  for (const char* value : {"8e6", "1e5", "4 N/m", "0", "3 kN/m"})
+    BOOST_TEST(set("k0", value).empty(), value);
   // Of the size that they have, with their units, or 0; and a scene in units of its own.
   BOOST_TEST(warnings(with_lines({{5, "frequency = 20e3"}, {6, "amplitude = 1e-7"}})).empty());
   BOOST_TEST(warnings(with_lines({{5, "frequency = \"28 Hz\""}, {6, "amplitude = 0"}})).empty());
