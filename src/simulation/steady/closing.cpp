@@ -48,7 +48,7 @@ void close_slow_states(const Model& model, const Passage& period, Closing& closi
     rows.set(model.body_states() + j, model.integrated_levels() + j, -model.contact.unit_rates[j]);
 }
 
-// The velocity that friction and drive may give the body in a period.
+// The largest change of the body's velocity that friction and drive cause in a period.
 double shove(const Model& model, const State& start) {
   double force = model.force_size();
   if (const auto& masses = model.body->masses) {
@@ -68,7 +68,7 @@ Vector size_beside(const Model& model, double contact_speed, const State& start)
   for (Index i = 0; i < n; ++i)
     size[i] = std::abs(start.x[1 + i]) + std::abs(model.sliding_rates[i]);
   if (body > 0) size[0] += std::min(contact_speed, shove(model, start));
-  // A branch's force follows the body's swing, and creeps with the whole drive.
+  // The force of a branch follows the oscillation of the body, and creeps with the whole drive.
   for (Index j = 0; j + 1 < body; ++j) {
     if (model.body->masses) {  // velocities like u
       size[1 + j] += size[0];

@@ -10,7 +10,7 @@ namespace vcrit::simulation {
 
 namespace {
 
-// From the fastest on: just below the sliding threshold the cycle is simplest.
+// From the highest speed down: just below the critical speed the cycle is simplest.
 std::vector<std::size_t> falling(std::span<const double> velocities) {
   std::vector<std::size_t> order(velocities.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

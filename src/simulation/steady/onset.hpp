@@ -1,5 +1,5 @@
-// v* by simulation alone, as two witnesses that share no argument: where steady sliding ceases to
-// exist, and where the last stick vanishes from the motion that a start at rest settles into.
+// v* by simulation alone, in two independent ways: as the lowest speed of steady sliding, and as
+// the highest speed at which a motion that starts at rest still sticks.
 #pragma once
 
 #include <string>

@@ -34,7 +34,7 @@ void check_reach(const Model& model) {
   if (lost_in_resonance(model))
     throw ModelError(
         "body and drive are in undamped resonance: the swing in slip grows without bound");
-  // One that opens swings with harmonics, too, also where the first moves it nowhere.
+  // A contact that opens excites harmonics as well, even where the first harmonic moves nothing.
   const double swing =
       std::max(std::abs(model.sliding_velocity), model.opening ? model.amplitude : 0);
   if (!(model.creep == 0 || model.creep < fastest_creep * swing))
