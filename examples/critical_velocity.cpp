@@ -1,4 +1,4 @@
-// Problem         An elastic contact is pulled rigidly: up to which speed does the oscillation
+// Problem         An elastic contact has a rigid drive: up to which speed does the oscillation
 //                 reduce friction? scenes/elastic.toml: kn = 11.5 N/um, kt = 9.47 N/um, 20 kHz,
 //                 0.1 um, mu0 = 0.3.
 // Exact solution  Eq. (31): v* = mu0 omega du_z kn/kt = 4.578034... mm/s

@@ -1,4 +1,4 @@
-// Problem         Friction of an elastic contact that is pulled rigidly, over the speed in units of
+// Problem         Friction of an elastic contact with a rigid drive, over the speed in units of
 //                 v*. scenes/elastic.toml: D = du_z/u_z0 = 1/3.
 // Exact solution  mu_macro/mu0 = 1 - D G(v0/v*), where G(x) = [sin t2 - sin t1 - (t2 - t1) cos t1
 //                 - x (t2 - t1)^2/2]/(2 pi), t1 = pi + asin x, and t2 the first later root of

@@ -342,7 +342,7 @@ BOOST_AUTO_TEST_CASE(massless_scene_has_no_body) {
   BOOST_TEST(contains(header, "drive_stiffness"));
 }
 
-// u_z0 and, in an isotropic contact pulled rigidly, the elements are in no v*.
+// u_z0 and, in an isotropic contact with a rigid drive, the elements are in no v*.
 BOOST_AUTO_TEST_CASE(parameters_are_those_of_the_quantities) {
   const std::string header = symbolic::emit_quantities(
       derive(scene_of("normal = \"kn | cn\"\npoisson = 0.3")), "isotropic");
