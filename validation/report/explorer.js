@@ -86,13 +86,14 @@ const vcrit_explorer = (() => {
     if (wrong.status !== 0) return { ...result, outside: true, messages: [["bad", wrong.message]] };
     const closed = simulator.closed();
     if (closed.status === 0) [result.closed, result.mean] = closed.numbers;
-    for (const reason of simulator.reasons().message.split("\n").filter(Boolean)) {
-      result.outside = true;
-      result.messages.push(["bad", `Outside the model: ${reason}.`]);
-    }
     const amplitude = value_of(rows[data.amplitude]), { exponent, unit, text } = rows[data.amplitude];
-    if (result.closed !== null && result.closed > 0 && amplitude >= result.closed && !data.separation)
-      result.messages.push(["unsure", `The contact opens. It stays closed up to an amplitude of ${number(result.closed / 10 ** exponent, 4)} ${unit} (now ${text} ${unit}).`]);
+    const opens = result.closed !== null && result.closed > 0 && amplitude >= result.closed && !data.separation;
+    const reasons = simulator.reasons().message.split("\n").filter(Boolean);
+    result.outside = reasons.length > 0;
+    if (opens) result.messages.push(["bad", `Outside the model: the contact opens. It stays closed up to an amplitude of ${number(result.closed / 10 ** exponent, 4)} ${unit} (now ${text} ${unit}).`]);
+    // What says so once more, by forces: the amplitude's conditions are Eqs. (3) and (4).
+    for (const reason of reasons.filter((words) => !opens || !/\(Eq\. [34]\)$/.test(words)))
+      result.messages.push(["bad", `Outside the model: ${reason}.`]);
     if (result.outside) return result;
     const critical = simulator.critical();
     if (critical.status === 0) [result.velocity, result.drive, result.formula] = critical.numbers;
