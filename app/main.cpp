@@ -25,8 +25,8 @@ void add_commands(CLI::App& program, int& status, char** argv) {
   program.set_version_flag("--version", version_text, "print the versions of vcrit and its parts");
   static constexpr vcrit::app::DerivePages pages{vcrit::validation::report::catalogue_page,
                                                  vcrit::validation::report::material_page};
-  vcrit::app::add_derive(program, status, &pages);
   vcrit::app::add_eval(program);
+  vcrit::app::add_derive(program, status, &pages);
   vcrit::app::add_generate(program);
   vcrit::app::add_simulate(program);
   vcrit::app::add_critical(program, status);

@@ -28,6 +28,26 @@ class HelpFormatter : public CLI::Formatter {
       if (option != group->get_help_ptr()) text += make_option(option, false);
     return text;
   }
+
+  // What must be given comes before what may be.
+  std::string make_positionals(const CLI::App* app) const override {
+    return CLI::Formatter::make_positionals(app) + groups_of(*app, true);
+  }
+  std::string make_subcommands(const CLI::App* app, CLI::AppFormatMode mode) const override {
+    const bool has_commands =
+        !app->get_subcommands([](const CLI::App* below) { return !below->get_name().empty(); })
+             .empty();
+    return has_commands ? CLI::Formatter::make_subcommands(app, mode) : groups_of(*app, false);
+  }
+
+ private:
+  std::string groups_of(const CLI::App& app, bool required) const {
+    std::string text;
+    for (const CLI::App* below : app.get_subcommands({}))
+      if (below->get_name().empty() && (below->get_require_option_min() > 0) == required)
+        text += make_expanded(below);
+    return text;
+  }
 };
 
 void set_formatter(CLI::App& app, const std::shared_ptr<HelpFormatter>& formatter) {

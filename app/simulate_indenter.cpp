@@ -40,6 +40,28 @@ constexpr double starts_tolerance = 2e-9;
 // With the default tolerance further digits are not known.
 constexpr int cell_digits = 9;
 
+// A cell has a line's end for its words.
+const char* words_of(simulation::Regime regime) {
+  using simulation::Regime;
+  switch (regime) {
+    case Regime::sliding:
+      return "continuous sliding";
+    case Regime::stick_slip:
+      return "stick-slip";
+    case Regime::stick_slip_backslip:
+      return "stick-slip with reverse slip";
+    case Regime::stick:
+      return "sticking";
+    case Regime::sliding_separated:
+      return "sliding, opens in every cycle";
+    case Regime::stick_slip_separated:
+      return "stick-slip, opens in every cycle";
+    case Regime::stick_slip_backslip_separated:
+      return "stick-slip with reverse slip, opens in every cycle";
+  }
+  throw Bug("a regime without words");
+}
+
 }  // namespace
 
 IndenterAnswer simulate_indenter(const Problem& problem, double velocity) {
@@ -70,7 +92,7 @@ void print_indenter(const IndenterAnswer& answer, int digits) {
     print_row(std::exchange(heading, ""),
               fmt::format("at x = {:<9}  friction ratio {:<7}  {}", length(cell.x),
                           rounded(cell.state.friction_ratio, "", std::min(digits, cell_digits)),
-                          to_text(cell.state.regime)));
+                          words_of(cell.state.regime)));
 }
 
 }  // namespace vcrit::app

@@ -322,6 +322,13 @@ class Help(unittest.TestCase):
             self.assertEqual(result.returncode, 0)
             self.assertIn("SCENE", result.stdout)
 
+    def test_what_must_be_given_comes_first(self):
+        told = run("simulate", "--help").stdout
+        self.assertLess(told.index("--velocity TEXT"), told.index("--set NAME=VALUE"))
+        self.assertEqual(told.count("--velocity-ratio RATIO"), 1)
+        commands = run("--help").stdout
+        self.assertLess(commands.index("\n  eval "), commands.index("\n  derive "))
+
     def test_the_version_names_the_parts(self):
         result = run("--version")
         self.assertEqual(result.returncode, 0)
