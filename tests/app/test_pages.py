@@ -16,7 +16,9 @@ from selenium.webdriver.common.by import By
 from browsing import CHARTS, browser, draw_charts, load
 from program import PROGRAM, PROJECT
 
-SCENES = ["zener", "inadmissible", "sonotrode"]
+SCENES = ["zener", "inadmissible", "sonotrode", "burgers"]
+# With a mount, a drive and loss of contact: of all pages the one with most on it.
+FULL = "tests/matrix/kinds/separation_mount.toml"
 PHONE, DESK = 390, 1200  # pixels
 
 # Words that stand on a curve of the chart of v* over frequency; how many words there are, and how many rules.
@@ -46,13 +48,14 @@ class Pages(unittest.TestCase):
         compiler.parent.mkdir()
         compiler.write_text(BROKEN_COMPILER)
         compiler.chmod(0o755)
-        cls.validate(SCENES, cls.report, "/nowhere", 0)
-        cls.validate(["elastic"], cls.report / "failed", f"{compiler.parent}:/usr/bin:/bin", 1)
+        scenes = [f"scenes/{name}.toml" for name in SCENES]
+        cls.validate([*scenes, FULL], cls.report, "/nowhere", 0)
+        cls.validate(["scenes/elastic.toml"], cls.report / "failed", f"{compiler.parent}:/usr/bin:/bin", 1)
         cls.browser = browser(Path(cls.folder.name, "profile"))
 
     @classmethod
     def validate(cls, scenes, out, path, status):
-        result = subprocess.run([PROGRAM, "validate", *[f"scenes/{name}.toml" for name in scenes], "--out", out],
+        result = subprocess.run([PROGRAM, "validate", *scenes, "--out", out],
                                 cwd=PROJECT, env=os.environ | {"PATH": path}, capture_output=True, text=True)
         if result.returncode != status:
             raise AssertionError(f"status {result.returncode}: {result.stderr}")
@@ -119,7 +122,6 @@ class Pages(unittest.TestCase):
             self.assertEqual(newtons["title"], "mean friction force, N")
             self.assertAlmostEqual(newtons["range"][1] / y["range"][1], force, delta=1e-5)  # six digits of a record
 
-    # Two sheets, on which the chart and the formula are; the explorer is not.
     def test_words_of_resonances_keep_off_the_curve(self):
         for page in ("zener", "sonotrode"):
             for width in (DESK, PHONE):
@@ -142,8 +144,17 @@ class Pages(unittest.TestCase):
             self.assertLessEqual({"rgb(179, 38, 30)", "rgb(29, 33, 38)"}, found)  # resonance, antiresonance
             self.assertNotIn("rgb(228, 231, 234)", found)
 
+    def test_words_of_a_drawing_can_be_read(self):
+        smallest = """return Math.min(...[...document.querySelectorAll('.system text')].map((text) =>
+            text.getScreenCTM().a * parseFloat(getComputedStyle(text).fontSize)))"""
+        for page in [*SCENES, "separation_mount"]:
+            self.open(page, PHONE, draw=False)
+            with self.subTest(page=page):
+                self.assertGreaterEqual(self.script(smallest), 11)
+
+    # Two sheets, on which the chart and the formula are; the explorer is not.
     def test_two_sheets_of_paper(self):
-        for page in ["zener", "inadmissible"]:
+        for page in [*SCENES, "separation_mount"]:
             self.open(page)
             pdf = base64.b64decode(self.browser.execute_cdp_cmd("Page.printToPDF", {
                 "printBackground": True, "preferCSSPageSize": True})["data"])
@@ -185,7 +196,8 @@ class Pages(unittest.TestCase):
 
     def test_the_index_says_what_came_out(self):
         self.open("index")
-        self.assertEqual(self.text("h1"), "3 scenes. 2 answered, 1 outside the model, 0 checks failed.")
+        self.assertEqual(self.text("h1"), "5 scenes. 4 answered, 1 outside the model, 0 checks failed.")
+        self.assertIn("Friction is lower below", self.text(".columns"))
         lines = self.browser.find_elements(By.CSS_SELECTOR, ".scenes > li")
         for line, parts in zip(lines, [["zener.toml", "4.095 mm/s", "−25 %", "20 kHz"],
                                        ["inadmissible.toml", "would open above"], ["sonotrode.toml", "4.65 mm/s"]]):
@@ -201,7 +213,7 @@ class Pages(unittest.TestCase):
         self.open("index")
         shown = "return [...document.querySelectorAll('.scenes > li')].filter((e) => e.checkVisibility()).length"
         field = self.browser.find_element(By.ID, "filter")
-        for typed, left in [("ZENER", 1), ("", 3), (".toml", 3), ("nothing of that name", 0)]:
+        for typed, left in [("ZENER", 1), ("", 5), (".toml", 5), ("nothing of that name", 0)]:
             field.clear()
             field.send_keys(typed)
             self.script("document.getElementById('filter').dispatchEvent(new Event('input'))")
