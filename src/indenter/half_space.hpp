@@ -73,6 +73,9 @@ class HalfSpace {
   double friction() const { return friction_; }  ///< mu0
   double shear_ratio() const { return ratio_; }  ///< K_t/K_n of each cell
 
+  const Relaxation& normal() const { return normal_; }  ///< E*, Pa
+  /// |E*(i omega)|, Pa.
+  double dynamic_modulus() const { return std::abs(response_); }
   /// E*(0), Pa.
   double static_modulus() const { return normal_.equilibrium; }
   /// Whether E* is the same at all frequencies.

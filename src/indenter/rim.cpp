@@ -8,10 +8,10 @@
 
 namespace vcrit::indenter {
 
-ScaledContact::ScaledContact(const HalfSpace& half_space)
+ScaledContact::ScaledContact(const HalfSpace& half_space, double tolerance)
     : gap_(half_space.gap()),
       amplitude_(half_space.amplitude()),
-      modulus_(half_space.static_modulus()),
+      modulus_(half_space.elastic() ? half_space.static_modulus() : half_space.dynamic_modulus()),
       mean_(half_space.indentation() / half_space.amplitude()) {
   if (gap_.at(gap_.end()) < half_space.indentation() + amplitude_)
     throw ModelError(
@@ -28,6 +28,10 @@ ScaledContact::ScaledContact(const HalfSpace& half_space)
   for (const double each : depths)
     if (const double cosine = each - mean_; std::abs(cosine) < 1)
       kinks_.insert(kinks_.end(), {std::acos(cosine), two_pi - std::acos(cosine)});
+  if (!half_space.elastic()) {
+    memory_ = std::make_shared<const MemoryForce>(half_space, tolerance);
+    kinks_.insert(kinks_.end(), memory_->kinks().begin(), memory_->kinks().end());
+  }
   std::sort(kinks_.begin(), kinks_.end());
 }
 
@@ -47,7 +51,21 @@ double ScaledContact::physical_force(double depth) const {
 }
 
 double ScaledContact::force(double t) const {
+  if (memory_) return memory_->force(t) / force_unit_;
   return physical_force(depth(t) * amplitude_) / force_unit_;
+}
+
+double ScaledContact::force_rate(double t) const {
+  if (memory_) return memory_->rate(t) / force_unit_;
+  return stiffness(depth(t)) * depth_rate(t);
+}
+
+double ScaledContact::least_force() const {
+  return memory_ ? memory_->least() / force_unit_ : force(pi);
+}
+
+bool ScaledContact::touches(double t) const {
+  return memory_ ? memory_->touches(t) : depth(t) >= 0;
 }
 
 ScaledHolder::ScaledHolder(const HalfSpace& half_space, const ScaledContact& contact) {

@@ -1,4 +1,4 @@
-// An elastic indenter on a drive that gives, in units in which friction below it has few numbers.
+// An indenter on a drive that gives, in units in which friction below it has few numbers.
 // Time is omega t; normal lengths are in du_z, tangential ones in kappa du_z with kappa = mu0
 // E*/G*, and forces in the largest normal force, tangential ones in mu0 times it. mu0 drops out.
 //
@@ -11,26 +11,32 @@
 // that has touched since. Only a rim slides, of all cells from one depth on (docs/physics.md).
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "indenter/half_space.hpp"
+#include "indenter/memory_force.hpp"
 
 namespace vcrit::indenter {
 
 /// The contact in these units.
 class ScaledContact {
  public:
-  /// Of an elastic half-space, and no flat punch.
-  explicit ScaledContact(const HalfSpace& half_space);
+  /// Of no flat punch. tolerance: relative, of the force of a half-space that is not elastic.
+  ScaledContact(const HalfSpace& half_space, double tolerance);
 
   double depth(double t) const;  ///< u; below 0 while the indenter is off the surface
   double depth_rate(double t) const;
-  /// Stiffness of all cells that touch at this depth or less.
+  /// Stiffness of all cells that touch at this depth or less, of an elastic half-space.
   double stiffness(double depth) const;
-  double force(double t) const;  ///< F_n
-  /// Where depth or stiffness turn sharply, in [0, 2 pi], increasing.
+  double force(double t) const;       ///< F_n
+  double force_rate(double t) const;  ///< as far as it is bounded
+  /// Whether F_n' is not: then only a body or a damper keeps v* finite.
+  bool force_rate_unbounded() const { return memory_ && memory_->rate_unbounded(); }
+  double least_force() const;
+  bool touches(double t) const;
+  /// Where depth, stiffness or force turn sharply, in [0, 2 pi], increasing.
   const std::vector<double>& kinks() const { return kinks_; }
-  bool opens() const { return mean_ < 1; }
 
   double speed_unit() const { return speed_unit_; }  ///< m/s
   double force_unit() const { return force_unit_; }  ///< N, of normal forces
@@ -44,6 +50,7 @@ class ScaledContact {
   double amplitude_, modulus_, mean_;
   double force_unit_ = 1, speed_unit_ = 1, stiffness_unit_ = 1;
   std::vector<double> kinks_;
+  std::shared_ptr<const MemoryForce> memory_;  ///< none of an elastic half-space
 };
 
 /// What holds it: a spring, a damper and relaxing springs side by side, and a mass.

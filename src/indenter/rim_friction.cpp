@@ -8,6 +8,7 @@
 #include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "indenter/cell.hpp"
+#include "indenter/held_cells.hpp"
 #include "indenter/rim_motion.hpp"
 
 namespace vcrit::indenter {
@@ -22,11 +23,19 @@ constexpr double coarse = 1e-9, finest = 1e-14, finer = 1000;
 // Of forces that are about 1, of some hundred steps.
 constexpr double force_rounding_error = 1e-14;
 
+// Of the normal force of a half-space with a memory, which is interpolated: relative, and as steps
+// of the body below it.
+constexpr double fine_force = 1e-12, coarse_force = 1e-8, finest_below = 1e-11;
+
 constexpr int most_newton_steps = 30, most_periods = 400;
 
 constexpr const char* rings =
     "body and drive are in undamped resonance with a harmonic of the normal force, which grows and "
     "shrinks with the contact area: the swing in slip grows without bound";
+
+constexpr const char* without_bound =
+    "where the indenter meets the surface its contact area grows like a root of time, and with it the "
+    "force of the half-space's damper: springs alone follow without bound";
 
 /// A body sliding for ever below a drive at rest, and the numbers that its motion has at phase 0.
 class Sliding {
@@ -89,7 +98,7 @@ class Sliding {
   // The largest of samples, then by thirds, to where the maximum is flat.
   double largest_in(const TimeStep& step) const {
     const double length = step.end() - step.begin();
-    if (contact_.depth(step.begin() + 0.5 * length) < 0) return -infinity;
+    if (!contact_.touches(step.begin() + 0.5 * length)) return -infinity;
     constexpr int samples = 16;
     int best = 0;
     double most = -infinity;
@@ -241,10 +250,17 @@ class Cycle {
 /// Both, of one half-space.
 class Held {
  public:
-  explicit Held(const HalfSpace& half_space)
-      : contact_(half_space), holder_(half_space, contact_), effort_(half_space.effort()) {}
+  Held(const HalfSpace& half_space, double tolerance)
+      : contact_(half_space, tolerance),
+        holder_(half_space, contact_),
+        effort_(half_space.effort()) {}
 
   const ScaledContact& contact() const { return contact_; }
+  const ScaledHolder& holder() const { return holder_; }
+  /// Whether the body follows a force that grows without bound, since nothing is in its way.
+  bool springs_without_bound() const {
+    return contact_.force_rate_unbounded() && !(holder_.mass > 0) && !(holder_.damper > 0);
+  }
   std::unique_ptr<Sliding> sliding(double tolerance) const {
     return std::make_unique<Sliding>(contact_, holder_, tolerance, effort_);
   }
@@ -277,13 +293,53 @@ Friction without_oscillation(const HalfSpace& half_space) {
   return result;
 }
 
+/// By cells in time: so many of them at first, and steps of a period, and then twice and four times
+/// both.
+FrictionOfSpeed cells_friction(const HalfSpace& half_space, double tolerance) {
+  // What is drawn takes a quarter of the time and errs four times as much.
+  const int cells = tolerance < drawn_tolerance ? 100 : 50, steps = 6 * cells;
+  const auto held = std::make_shared<const Held>(half_space, fine_force);
+  const simulation::Onset onset = rim_threshold(half_space);
+  const double largest = onset.drive_velocity / held->contact().speed_unit();
+  // At which all slide, or nearly where none is high enough.
+  const double slides = std::isfinite(largest) ? 1.01 * largest : 10;
+  std::vector<std::shared_ptr<const HeldCells>> levels;
+  for (const int times : {1, 2, 4})
+    levels.push_back(std::make_shared<const HeldCells>(half_space, held->contact(), held->holder(),
+                                                       times * cells, times * steps));
+  const double force = held->sliding(coarse)->mean_force() * held->contact().force_unit();
+  return [=, whole = half_space.effort()](double velocity) {
+    const double speed = velocity / held->contact().speed_unit();
+    Friction result;
+    result.normal_force = force;
+    result.normal_force_error = coarse_force * force;
+    result.ratio = 1;
+    result.error = force_rounding_error;
+    Motions motions{true, false, false};
+    if (speed < largest) {
+      std::vector<HeldCells::Steady> found;
+      for (const auto& level : levels) found.push_back(level->steady(speed, slides, whole));
+      result.ratio = found[2].ratio;
+      result.cells = 4 * cells;
+      result.error += 2 * (std::abs(found[2].ratio - found[1].ratio) +
+                           std::abs(found[1].ratio - found[0].ratio) / 4) +
+                      found[2].open;
+      motions.stick = true;
+      motions.backslip = found[2].backslip;
+    }
+    result.regime = motions.regime();
+    return result;
+  };
+}
+
 }  // namespace
 
 FrictionOfSpeed rim_friction(const HalfSpace& half_space, double tolerance) {
   if (!(half_space.amplitude() > 0))
     return [found = without_oscillation(half_space)](double) { return found; };
+  if (!half_space.elastic()) return cells_friction(half_space, tolerance);
   const double rough = std::max(tolerance, coarse), fine = rough / finer;
-  const auto held = std::make_shared<const Held>(half_space);
+  const auto held = std::make_shared<const Held>(half_space, fine_force);
   const std::shared_ptr<const Sliding> sliding = held->sliding(fine);
   if (sliding->resonant()) throw ModelError(rings);
   return [=, largest = sliding->largest()](double velocity) {
@@ -313,23 +369,27 @@ Pressed rim_pressed(const HalfSpace& half_space) {
   if (const double force = without_oscillation(half_space).normal_force;
       !(half_space.amplitude() > 0))
     return {force, force};
-  const Held held(half_space);
+  const Held held(half_space, fine_force);
   const double unit = held.contact().force_unit();
-  return {held.sliding(coarse / finer)->mean_force() * unit, held.contact().force(pi) * unit};
+  return {held.sliding(coarse / finer)->mean_force() * unit, held.contact().least_force() * unit};
 }
 
 simulation::Onset rim_threshold(const HalfSpace& half_space) {
   if (!(half_space.amplitude() > 0)) return {};
-  const Held held(half_space);
-  const double unit = held.contact().speed_unit();
-  const auto rough = held.sliding(coarse), sliding = held.sliding(finest);
+  const bool elastic = half_space.elastic();
+  const Held held(half_space, fine_force);
+  const double unit = held.contact().speed_unit(), step = elastic ? finest : finest_below;
+  if (held.springs_without_bound()) return {infinity, infinity, without_bound};
+  const std::optional<Held> other =
+      elastic ? std::nullopt : std::optional<Held>(std::in_place, half_space, coarse_force);
+  const auto rough = (other ? *other : held).sliding(coarse), sliding = held.sliding(step);
   if (sliding->resonant()) return {infinity, infinity, rings};
   const double drive = sliding->largest();
   const bool creeps = !(half_space.holder()->drive.equilibrium > 0);
   const double contact = creeps ? drive + sliding->mean_speed() : drive;
   // Where steps are as long as they may be, a hundred thousand times the tolerance changes none;
   // each is good to its own, and they add up.
-  const double summed = finest * sliding->steps();
+  const double summed = step * sliding->steps();
   return {contact * unit,
           drive * unit,
           {},

@@ -130,7 +130,9 @@ double RimMotion::behind(double t, const State& state) const {
     relaxing += state(branches_ + static_cast<Eigen::Index>(j)) / holder_.branches[j].time;
   const double stuck = sticking(t, state);
   const double slides =
-      direction() * (contact_.stiffness(contact_.depth(t)) - stuck) * contact_.depth_rate(t);
+      always_slides_
+          ? contact_.force_rate(t)
+          : direction() * (contact_.stiffness(contact_.depth(t)) - stuck) * contact_.depth_rate(t);
   return (stuck * velocity_ + slides + relaxing) / (holder_.glassy() + stuck);
 }
 

@@ -123,10 +123,6 @@ constexpr Cell no_formula = refused(
     "v* of an indenter on a drive that gives has no formula: it is the largest value of a speed over "
     "one period",
     "vcrit eval gives it, and vcrit simulate friction below it");
-constexpr Cell many_memories = refused(
-    "below an indenter on a drive that gives, the motion of an elastic half-space is known alone: "
-    "cells with a memory each move the others",
-    "take springs alone for the half-space, or leave out [drive]");
 constexpr Cell measured_holder =
     refused("below an indenter the drive must be a network: this one is a measured receptance",
             "give [drive] network = \"...\", or leave out [drive]");
@@ -230,7 +226,7 @@ constexpr std::array<Row, questions> table{{
       too_large, y, y, opens_at_tip, y, y,
       y, y, y,
       y, y, y,
-      y, many_memories,
+      y, y,
       measured_motion}},
     {Question::normal_motion,
      {y, y, lossy_motion, y, y, y, y, y,

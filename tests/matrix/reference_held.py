@@ -1,8 +1,12 @@
-"""v* and friction of an elastic parabola on a drive k | c with a body, for make_references.py.
+"""v* and friction of a parabola on a drive k | c with a body, for make_references.py.
 
 v* in 40 digits: all touching cells slide with one velocity, v0 + dq/dt - (mu0 E*/G*) du_z/dt with q the body's swing under
 mu0 F_n, by Fourier's series of F_n = 4/3 E* sqrt(R) u_z^(3/2). Friction by cells of equal width in small steps of time.
+On a half-space that relaxes, and a spring alone: v* by closed forms of its cells (tests/data/held_memory.py).
 """
+
+import sys
+from pathlib import Path
 
 import mpmath as mp
 import numpy as np
@@ -111,6 +115,94 @@ class Cells:
         state["place"] = place
 
 
+class RelaxingCells(Cells):
+    """The same of springs and a branch that relaxes, on a spring alone; what presses them is found by the same steps."""
+
+    def __init__(self, values, radius, nu, count):
+        super().__init__(values, radius, nu, count)
+        self.across, self.along = ({"spring": np.zeros_like(self.gap), "branch": np.zeros_like(self.gap)} for _ in range(2))
+        self.place = np.zeros_like(self.gap)
+
+    def ratio(self, velocity, steps, periods):
+        v, h = self.v, 2 * np.pi / self.v["omega"] / steps
+        time = v["c1"] / v["E1"]
+        self.left = np.exp(-h / time)
+        self.gain = self.normal * v["E1"] / v["E0"] * time / h * (1 - self.left)
+        return super().ratio(velocity, steps, periods)
+
+    def carried(self, forces):
+        return forces["spring"] + self.left * forces["branch"]
+
+    def move(self, forces, way):
+        forces["spring"] = forces["spring"] + self.normal * way
+        forces["branch"] = self.left * forces["branch"] + self.gain * way
+
+    def bounds(self, t):
+        down = self.v["u_z0"] + self.v["du_z"] * np.cos(self.v["omega"] * t) - self.gap
+        before, at_once = self.carried(self.across), self.normal + self.gain
+        way = np.maximum(down - self.place, -before / at_once)
+        self.move(self.across, way)
+        self.place = self.place + way
+        return self.v["mu0"] * np.maximum(0, before + at_once * way)
+
+    def without_mass(self, state, velocity, h, limits):
+        """The place at which the spring balances the cells, by Newton's method on straight pieces."""
+        v, place, ratio = self.v, state["place"], self.shear / self.normal
+        before, at_once = ratio * self.carried(self.along), ratio * (self.normal + self.gain)
+        for _ in range(60):
+            tried = before + at_once * (velocity * h + place - state["place"])
+            slope = v["kd"] + self.width * at_once * (np.abs(tried) < limits).sum()
+            change = -(v["kd"] * place + self.width * np.clip(tried, -limits, limits).sum()) / slope
+            place += change
+            if abs(change) < 1e-14 * (abs(place) + v["du_z"]):
+                break
+        tried = before + at_once * (velocity * h + place - state["place"])
+        state["forces"] = np.clip(tried, -limits, limits)
+        state["force"], state["place"] = self.width * state["forces"].sum(), place
+        self.move(self.along, (state["forces"] - before) / at_once)
+
+
+def elastic_rows(values, given, radius, nu):
+    """v* and its sensitivities, and the mean force."""
+    critical = sliding_velocity(given, radius, nu)
+    yield "critical_velocity", critical, mp.mpf(10) ** -13 * critical
+    small = mp.mpf(10) ** -10  # of central differences: 1e-20 of the third derivative
+    for key in given:
+        one, two = (sliding_velocity(given | {key: given[key] * factor}, radius, nu) for factor in (1 + small, 1 - small))
+        yield f"sensitivity:{key}", mp.log(one / two) / (2 * small), 0
+    mean = mp.quad(lambda t: (values["u_z0"] + values["du_z"] * mp.cos(t)) ** mp.mpf(1.5), [0, mp.pi]) / mp.pi
+    yield "mean", mean * mp.mpf(4) / 3 * plain_modulus(values, nu) * mp.sqrt(radius), 0
+
+
+def half_space(values, radius, nu):
+    """In lengths of sqrt(R) along the surface, moduli of E* and times of 1/omega."""
+    sys.path.append(str(Path(__file__).parents[1] / "data"))
+    from held_memory import HalfSpace
+    stiff = plain_modulus(values, nu) * mp.sqrt(radius)
+    return HalfSpace(("", "zener", values["E1"] / values["E0"], values["omega"] * values["c1"] / values["E1"], "parabola",
+                      values["du_z"], values["u_z0"], values["kd"] / stiff, 0, 0), shear=mindlin(nu))
+
+
+def relaxing_rows(values, radius, nu):
+    """v* and its sensitivities, by differences that leave 10 digits; the mean force by a sum over phases."""
+    at = half_space(values, radius, nu)
+    largest, phase = at.largest()
+
+    def sliding(given):
+        return given["mu0"] * given["omega"] * half_space(given, radius, nu).largest(phase)[0]
+    yield "critical_velocity", values["mu0"] * values["omega"] * largest, mp.mpf(10) ** -11 * values["omega"] * largest
+    small = mp.mpf(10) ** -5
+    for key in values:
+        one, two = (sliding(values | {key: values[key] * factor}) for factor in (1 + small, 1 - small))
+        yield f"sensitivity:{key}", mp.log(one / two) / (2 * small), 0
+    mean = 0
+    from held_memory import gauss
+    for low, high in ((at.first, 0), (0, at.last)):
+        mean += mp.fsum(w * (high - low) * 6 * s * (1 - s) * at.normal_force(low + (high - low) * s**2 * (3 - 2 * s))[0]
+                        for s, w in gauss(40)) / (2 * mp.pi)
+    yield "mean", mean * plain_modulus(values, nu) * mp.sqrt(radius), 0
+
+
 def held_rows(values, text):
     """v* with its sensitivities, and friction at two speeds."""
     mp.mp.dps = 40
@@ -121,19 +213,14 @@ def held_rows(values, text):
     yield "loaded", 1, 0
     if "W" in values:
         yield "indentation", values["u_z0"], 0
-    critical = sliding_velocity(given, radius, nu)
-    yield "critical_velocity", critical, mp.mpf(10) ** -13 * critical
-    small = mp.mpf(10) ** -10  # of central differences: 1e-20 of the third derivative
-    for key in given:
-        one, two = (sliding_velocity(given | {key: given[key] * factor}, radius, nu) for factor in (1 + small, 1 - small))
-        yield f"sensitivity:{key}", mp.log(one / two) / (2 * small), 0
-    mean = mp.quad(lambda t: (values["u_z0"] + values["du_z"] * mp.cos(t)) ** mp.mpf(1.5), [0, mp.pi]) / mp.pi
-    mean *= mp.mpf(4) / 3 * plain_modulus(values, nu) * mp.sqrt(radius)
+    linear = list(relaxing_rows(values, radius, nu) if "E1" in values else elastic_rows(values, given, radius, nu))
+    critical, mean = linear[0][1], linear.pop()[1]
+    yield from linear
     for i, share in enumerate(RATIOS):
         velocity = float(share * critical)
         found = []
         for count, steps in ((150, 2000), (300, 4000), (600, 8000)):
-            cells = Cells(values, radius, nu, count)
+            cells = (RelaxingCells if "E1" in values else Cells)(values, radius, nu, count)
             found.append(cells.ratio(velocity, steps, 25)[0])
         yield f"velocity:{i}", velocity, 0
         # What halving both changes: the rest is at most as much.

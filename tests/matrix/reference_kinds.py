@@ -105,6 +105,7 @@ KINDS = {
     "indenter_viscoelastic": lambda v: (zener(v["E0"], v["E1"], v["c1"]), mindlin("0.4"), None),
     "indenter_drive": lambda v: (spring(v["E0"]), mindlin("0.4"), spring(v["kd"])),
     "indenter_drive_mass": lambda v: (spring(v["E0"]), mindlin("0.4"), kelvin(v["kd"], v["cd"])),
+    "indenter_drive_viscoelastic": lambda v: (zener(v["E0"], v["E1"], v["c1"]), mindlin("0.4"), spring(v["kd"])),
     "measured_drive": lambda v: (kelvin(v["kn"], v["cn"]), kelvin(v["kt"], v["ct"]), "chain.csv"),
     "drive_masses": lambda v: (zener(v["k0"], v["k1"], v["c1"]), mindlin("0.35"),
                                series(spring(v["kf"]), parallel(mass(v["ms"]), kelvin(v["km"], v["cm"])))),

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "base/constants.hpp"
@@ -16,6 +17,62 @@ using indenter::HalfSpace;
 
 /// Place and speed of the body behind the moving drive, then a force for each relaxing spring.
 using HeldBody = Eigen::VectorXd;
+
+/// What cells of a viscoelastic half-space remember, across the surface and along it: springs and
+/// relaxing ones, whose ends move evenly over a step. While a cell is off the surface nothing presses it.
+class MemorySteps {
+ public:
+  MemorySteps(const Relaxation& modulus, double step, std::size_t cells, double width)
+      : spring_(width * modulus.equilibrium),
+        damper_(width * modulus.damper / step),
+        across_(cells * (modulus.branches.size() + 1)),
+        along_(across_.size()),
+        places_(cells),
+        pressed_(cells) {
+    left_.push_back(1);
+    gained_.push_back(spring_);
+    for (const MaxwellBranch& branch : modulus.branches) {
+      const double lasts = branch.time / step;
+      left_.push_back(std::exp(-1 / lasts));
+      gained_.push_back(width * branch.stiffness * lasts * (1 - left_.back()));
+    }
+    at_once_ = damper_;
+    for (const double each : gained_) at_once_ += each;
+  }
+
+  double at_once() const { return at_once_; }
+  double pressed(std::size_t i) const { return pressed_[i]; }
+  double relaxed(std::size_t i) const { return carried(along_, i); }
+
+  void press(double depth, const std::vector<double>& gaps) {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const double before = carried(across_, i), free = places_[i] - before / at_once_;
+      const double place = std::max(depth - gaps[i], free), way = place - places_[i];
+      pressed_[i] = std::max(0.0, before + at_once_ * way);
+      move(across_, i, 1, way);
+      places_[i] = place;
+    }
+  }
+
+  void shear(std::size_t i, double ratio, double way) { move(along_, i, ratio, way); }
+
+ private:
+  double carried(const std::vector<double>& forces, std::size_t i) const {
+    double sum = 0;
+    for (std::size_t j = 0; j < left_.size(); ++j) sum += left_[j] * forces[i * left_.size() + j];
+    return sum;
+  }
+
+  void move(std::vector<double>& forces, std::size_t i, double ratio, double way) {
+    for (std::size_t j = 0; j < left_.size(); ++j) {
+      double& force = forces[i * left_.size() + j];
+      force = left_[j] * force + ratio * gained_[j] * way;
+    }
+  }
+
+  double spring_, damper_, at_once_ = 0;
+  std::vector<double> left_, gained_, across_, along_, places_, pressed_;
+};
 
 /// Balance of a step, by which the body moves by d: drive and inertia take `slope` d + `rest`, and
 /// what is left, `share` of it, are the cells.
@@ -41,6 +98,7 @@ class HeldSteps {
       gained_.push_back(branch.stiffness * branch.time / step_ * (1 - left_.back()));
       slope_ += share_ * gained_.back();
     }
+    if (!half_space.elastic()) memory_.emplace(half_space.normal(), step_, gaps_.size(), 2 * width);
   }
 
   Eigen::Index size() const { return 2 + static_cast<Eigen::Index>(left_.size()); }
@@ -62,6 +120,7 @@ class HeldSteps {
     for (int i = 1; i <= steps_; ++i) {
       const double t = two_pi * i / steps_;
       depth_ = half_space_.indentation() + half_space_.amplitude() * std::cos(t);
+      if (memory_) memory_->press(depth_, gaps_);
       move(body);
     }
     return body;
@@ -74,16 +133,21 @@ class HeldSteps {
     double force = 0, slope = 0;
   };
 
+  /// What a cell resists a step by, over its length, and what it carries along if it stands still.
+  double at_once() const { return memory_ ? memory_->at_once() : stiffness_; }
+  double relaxed(std::size_t i) const { return memory_ ? memory_->relaxed(i) : forces_[i]; }
+
   double bound(std::size_t i) const {
+    if (memory_) return half_space_.friction() * memory_->pressed(i);
     return half_space_.friction() * stiffness_ * std::max(0.0, depth_ - gaps_[i]);
   }
 
   /// Of all cells, after the body has moved by d.
   Pull pull(double d) const {
-    const double spring = half_space_.shear_ratio() * stiffness_, moved = spring * (d + driven_);
+    const double spring = half_space_.shear_ratio() * at_once(), moved = spring * (d + driven_);
     Pull all;
     for (std::size_t i = 0; i < gaps_.size(); ++i) {
-      const double most = bound(i), force = forces_[i] + moved;
+      const double most = bound(i), force = relaxed(i) + moved;
       all.force += std::clamp(force, -most, most);
       if (std::abs(force) < most) all.slope += spring;
     }
@@ -115,11 +179,12 @@ class HeldSteps {
   }
 
   void note(double d) {
-    const double moved = half_space_.shear_ratio() * stiffness_ * (d + driven_);
+    const double spring = half_space_.shear_ratio() * at_once(), moved = spring * (d + driven_);
     force_ = 0;
     for (std::size_t i = 0; i < gaps_.size(); ++i) {
-      const double most = bound(i);
-      forces_[i] = std::clamp(forces_[i] + moved, -most, most);
+      const double most = bound(i), before = relaxed(i);
+      forces_[i] = std::clamp(before + moved, -most, most);
+      if (memory_) memory_->shear(i, half_space_.shear_ratio(), (forces_[i] - before) / spring);
       force_ += forces_[i];
       bound_ += most;
       sticks_ = sticks_ || std::abs(forces_[i]) < most * (1 - at_bound);
@@ -134,6 +199,7 @@ class HeldSteps {
   int steps_;
   double step_, driven_, share_;
   std::vector<double> gaps_, forces_, left_, gained_;
+  std::optional<MemorySteps> memory_;  ///< none of an elastic half-space
   double stiffness_ = 0, slope_ = 0, depth_ = 0, force_ = 0;
   double friction_ = 0, bound_ = 0;
   bool sticks_ = false;

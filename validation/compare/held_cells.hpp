@@ -1,7 +1,7 @@
-// An elastic indenter on a drive that gives, as so many plain cells in small steps of time: what
+// An indenter on a drive that gives, as so many plain cells in small steps of time: what
 // its v* and friction are compared with. It shares the scene's numbers with what it checks
 // (src/indenter/rim_friction.hpp), and no line of its motion: no continuum, no events, no
-// collocation.
+// collocation, and no cycle of the normal force: cells are pressed step by step, too.
 #pragma once
 
 #include "indenter/half_space.hpp"
@@ -13,8 +13,8 @@ struct HeldMarch {
   bool sticks = false;  ///< whether a cell that touches sticks at some step of it
 };
 
-/// At a velocity of the drive, m/s, > 0, with so many cells of equal width and steps a period. Of
-/// an elastic half-space and a drive that carries a static load. Both errors are of second order
+/// At a velocity of the drive, m/s, > 0, with so many cells of equal width and steps a period, on
+/// a drive that carries a static load. Both errors are of second order
 /// but where cells touch: a cell touches late or early by half its width. Throws ModelError where
 /// no motion is found that repeats.
 HeldMarch march_held_cells(const indenter::HalfSpace& half_space, double velocity, int cells,

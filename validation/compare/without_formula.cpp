@@ -123,10 +123,8 @@ Comparison compare_held_friction(const Problem& problem, const indenter::HalfSpa
 /// Motions that share nothing with those of the continuum.
 void compare_held_cells(SceneReport& report, const indenter::HalfSpace& half_space, double speed) {
   const Comparison none = held_march(speed);
-  if (!half_space.elastic() || !half_space.holder() ||
-      !(half_space.holder()->drive.equilibrium > 0)) {
-    report.comparisons.push_back(
-        not_run(none, "plain cells are marched of elastic half-spaces on a drive with a spring"));
+  if (!half_space.holder() || !(half_space.holder()->drive.equilibrium > 0)) {
+    report.comparisons.push_back(not_run(none, "plain cells are marched on a drive with a spring"));
     return;
   }
   try {

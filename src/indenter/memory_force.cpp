@@ -1,0 +1,264 @@
+#include "indenter/memory_force.hpp"
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+
+#include "base/constants.hpp"
+#include "base/errors.hpp"
+#include "normal/normal_force.hpp"
+
+namespace vcrit::indenter {
+
+namespace {
+
+using simulation::NormalCycle;
+
+using FrontRule = boost::math::quadrature::gauss<double, 20>;
+
+// Cells that dip by less than this share of the amplitude touch as if the surface had no memory:
+// they do for a thousandth of the period, and weigh 1e-9 of all under a parabola.
+constexpr double hardly_dips = 1e-6;
+
+// A relaxation that falls by more than this over a span has it halved towards the front.
+constexpr double most_decades = 4;
+constexpr int most_spans = 60;
+
+// Places at which cells are compared with the next.
+constexpr int compared = 64;
+
+// Of phases, from cells that are found to about 1e-13 and have roots at the ends.
+constexpr double phase_error = 1e-6;
+
+constexpr int bisections = 60;
+
+}  // namespace
+
+CellPanels::CellPanels(const HalfSpace& half_space) {
+  const double edge = half_space.edge(), inside = half_space.closed_radius();
+  std::vector<double> ends = half_space.gap().edges();
+  ends.push_back(inside);
+  std::erase_if(ends, [&](double x) { return !(x > 0 && x < edge); });
+  ends.insert(ends.end(), {0, edge});
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+    (ends[i + 1] <= inside ? closed : opening).push_back({ends[i], ends[i + 1]});
+}
+
+MemoryCells::MemoryCells(const HalfSpace& half_space)
+    : half_space_(half_space),
+      modes_(simulation::modes_of({half_space.normal(), 0, half_space.amplitude()},
+                                  half_space.omega())),
+      swing_(half_space.amplitude() *
+             dynamic_stiffness(half_space.normal(), half_space.omega())) {}
+
+double MemoryCells::force(const CellTouch& touch, double t) const {
+  double sum = (swing_ * std::polar(1.0, t)).real();
+  for (simulation::Index i = 0; i < touch.decays.size(); ++i)
+    sum += touch.decays[i] * std::exp(-modes_.branch_rates[i] * (t - touch.begin));
+  return sum;
+}
+
+// Its branches carry nothing where it touches.
+CellTouch MemoryCells::of_rim(double depth) const {
+  const double reach = std::max(0.0, depth / half_space_.amplitude() + 1);
+  CellTouch result{-std::sqrt(2 * reach), std::sqrt(2 * reach), {}};
+  const std::complex<double> turn = std::polar(1.0, result.begin), i(0, 1);
+  for (simulation::Index j = 0; j < modes_.branch_rates.size(); ++j) {
+    const double stiffness = modes_.branch_stiffness[j], rate = modes_.branch_rates[j];
+    result.decays.push_back(
+        rate == 0 ? stiffness * depth
+                  : -stiffness * half_space_.amplitude() * (i / (rate + i) * turn).real());
+  }
+  return result;
+}
+
+CellTouch MemoryCells::touch(double x) const {
+  const double depth = half_space_.depth(x);
+  if (depth + half_space_.amplitude() < hardly_dips * half_space_.amplitude()) return of_rim(depth);
+  const NormalCycle cycle =
+      simulation::normal_cycle(modes_, {depth, half_space_.amplitude()}, half_space_.effort());
+  if (cycle.touches.size() != 1)
+    throw ModelError("below the indenter a cell touches more than once in a period: no motion is known");
+  const NormalCycle::Touch& found = cycle.touches[0];
+  if (found.duration >= two_pi) return {least_phase() - two_pi, least_phase(), found.decays};
+  // A cell lifts off while the indentation falls.
+  const double end = simulation::wrapped(found.begin + found.duration);
+  return {end - found.duration, end, found.decays};
+}
+
+MemoryForce::MemoryForce(const HalfSpace& half_space, double tolerance) : cells_(half_space) {
+  const CellPanels panels(half_space);
+  if (!panels.closed.empty()) {
+    closed_edge_ = panels.closed.back().high;
+    closed_mean_ = 2 * half_space.static_modulus() *
+                   (half_space.indentation() * closed_edge_ - half_space.gap().area(closed_edge_));
+    least_ = std::max(0.0, closed_mean_ - 2 * closed_edge_ * std::abs(cells_.swing()));
+  }
+  // As x^n with n > 1: of x it is less and less.
+  const double small = 1e-8 * half_space.edge();
+  rate_unbounded_ =
+      cells_.modes().damper > 0 && panels.closed.empty() &&
+      half_space.gap().at(small) / small <
+          0.5 * half_space.gap().at(half_space.edge()) / half_space.edge();
+  find_touches(panels.opening, tolerance);
+  interpolate(tolerance);
+}
+
+void MemoryForce::find_touches(const std::vector<Panel>& panels, double tolerance) {
+  const auto branches = static_cast<Eigen::Index>(cells_.modes().branch_rates.size());
+  for (const Panel& panel : panels) {
+    Pieces touch(
+        [&](double s, Eigen::VectorXd& values) {
+          const CellTouch found = cells_.touch(panel.at(s));
+          values(0) = found.begin;
+          values(1) = found.end;
+          for (Eigen::Index i = 0; i < branches; ++i)
+            values(2 + i) = found.decays[static_cast<simulation::Index>(i)];
+        },
+        2 + branches, tolerance);
+    require_nested(touch);
+    openings_.push_back({panel, std::move(touch)});
+  }
+}
+
+void MemoryForce::require_nested(const Pieces& touch) const {
+  for (int i = 0; i < compared; ++i) {
+    const double s = static_cast<double>(i) / compared, next = s + 1.0 / compared;
+    if (touch.at(next, 0) < touch.at(s, 0) - phase_error ||
+        touch.at(next, 1) > touch.at(s, 1) + phase_error)
+      throw ModelError(
+          "below the indenter an outer cell touches before an inner one: no motion is known");
+  }
+}
+
+// The variable up to which cells of a panel touch, and whether it grows.
+double MemoryForce::front(const Opening& part, double t, bool& grows) const {
+  grows = true;
+  double best = 1;
+  for (const Eigen::Index which : {0, 1}) {
+    const double side = which == 0 ? 1 : -1;
+    const auto touched = [&](double s) { return side * (t - part.touch.at(s, which)) >= 0; };
+    if (touched(best)) continue;
+    double low = 0, high = best;
+    if (!touched(0)) {
+      grows = false;
+      return 0;
+    }
+    for (int i = 0; i < bisections && high - low > epsilon * high; ++i) {
+      const double middle = 0.5 * (low + high);
+      (touched(middle) ? low : high) = middle;
+    }
+    best = low;
+    grows = which == 0;
+  }
+  return best;
+}
+
+void MemoryForce::add_span(const Opening& part, double t, double low, double high, Sum& sum) const {
+  const simulation::ContactModes& modes = cells_.modes();
+  Eigen::VectorXd touch;
+  const auto at = [&](double s) -> std::complex<double> {
+    part.touch.at(s, touch);
+    double force = 0, rate = 0;
+    for (simulation::Index i = 0; i < modes.branch_rates.size(); ++i) {
+      const double r = modes.branch_rates[i],
+                   each = touch(2 + static_cast<Eigen::Index>(i)) * std::exp(-r * (t - touch(0)));
+      force += each;
+      rate -= r * each;
+    }
+    return part.panel.rate(s) * std::complex<double>(force, rate);
+  };
+  const std::complex<double> found = FrontRule::integrate(at, low, high);
+  sum.force += 2 * found.real();
+  sum.rate += 2 * found.imag();
+}
+
+void MemoryForce::add(const Opening& part, double t, Sum& sum) const {
+  bool grows = false;
+  const double to = front(part, t, grows);
+  if (!(to > 0)) return;
+  const std::complex<double> swing = cells_.swing() * std::polar(1.0, t);
+  const double width = part.panel.at(to) - part.panel.low;
+  sum.force += 2 * width * swing.real();
+  sum.rate -= 2 * width * swing.imag();
+  double fastest = 0;
+  for (const double rate : cells_.modes().branch_rates) fastest = std::max(fastest, rate);
+  const std::vector<double>& ends = part.touch.ends();
+  for (std::size_t i = 0; i + 1 < ends.size() && ends[i] < to; ++i) {
+    const double high = std::min(ends[i + 1], to);
+    double low = ends[i];
+    // What touched just now has not relaxed yet.
+    for (int j = 0; j < most_spans; ++j) {
+      if (fastest * std::abs(part.touch.at(high, 0) - part.touch.at(low, 0)) < most_decades) break;
+      const double middle = 0.5 * (low + high);
+      add_span(part, t, low, middle, sum);
+      low = middle;
+    }
+    add_span(part, t, low, high, sum);
+  }
+  if (!grows || !(cells_.modes().damper > 0) || to >= 1) return;
+  // A direct damper carries a force at once, of each cell that touches.
+  double force = swing.real();
+  for (Eigen::Index i = 2; i < 2 + static_cast<Eigen::Index>(cells_.modes().branch_rates.size()); ++i)
+    force += part.touch.at(to, i);
+  sum.rate += 2 * force * part.panel.rate(to) / part.touch.slope(to, 0);
+}
+
+MemoryForce::Sum MemoryForce::summed(double t) const {
+  const std::complex<double> swing = cells_.swing() * std::polar(1.0, t);
+  Sum sum{closed_mean_ + 2 * closed_edge_ * swing.real(), -2 * closed_edge_ * swing.imag()};
+  for (const Opening& part : openings_) add(part, t, sum);
+  return sum;
+}
+
+// Spans of time end where the front is at the end of a panel; in each, time is a cubic polynomial
+// of the variable, with its extrema there, in which roots are smooth.
+void MemoryForce::interpolate(double tolerance) {
+  std::vector<double> ends;
+  for (const Opening& part : openings_)
+    for (const double s : {0.0, 1.0}) ends.insert(ends.end(), {part.touch.at(s, 0), part.touch.at(s, 1)});
+  last_ = closed_edge_ > 0 ? cells_.least_phase() : openings_.front().touch.at(0, 1);
+  for (double& end : ends) end = std::abs(end) < phase_error ? 0 : std::clamp(end, last_ - two_pi, last_);
+  ends.insert(ends.end(), {last_ - two_pi, 0, last_});
+  std::sort(ends.begin(), ends.end());
+  const auto together = [](double a, double b) { return b - a < phase_error; };
+  ends.erase(std::unique(ends.begin(), ends.end(), together), ends.end());
+  ends.back() = last_;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    const Panel span{ends[i], ends[i + 1]};
+    phases_.push_back({span.low, span.high,
+                       Pieces(
+                           [&](double s, Eigen::VectorXd& values) {
+                             const Sum found = summed(span.at(s));
+                             values(0) = found.force;
+                             values(1) = rate_unbounded_ ? 0 : found.rate;
+                           },
+                           2, tolerance)});
+  }
+  for (const double end : ends) kinks_.push_back(simulation::wrapped(end));
+  kinks_.insert(kinks_.end(), {0, two_pi});
+  std::sort(kinks_.begin(), kinks_.end());
+}
+
+double MemoryForce::wrapped(double t) const {
+  const double begin = last_ - two_pi;
+  return begin + simulation::wrapped(t - begin);
+}
+
+bool MemoryForce::touches(double t) const {
+  return closed_edge_ > 0 || wrapped(t) >= openings_.front().touch.at(0, 0);
+}
+
+double MemoryForce::interpolated(double given, Eigen::Index which) const {
+  const double t = wrapped(given);
+  const auto after = std::upper_bound(phases_.begin(), phases_.end() - 1, t,
+                                      [](double value, const Phases& each) { return value < each.end; });
+  const double share = std::clamp((t - after->begin) / (after->end - after->begin), 0.0, 1.0);
+  // The root of s^2 (3 - 2 s) = share.
+  const double s = 0.5 - std::sin(std::asin(1 - 2 * share) / 3);
+  return after->values.at(s, which);
+}
+
+}  // namespace vcrit::indenter
