@@ -155,7 +155,7 @@ class NamedFoster {
       parts.push_back(damper("c_" + name_));
       give({"c_" + name_}, {above_.back(), below_.back()}, "a damper at high frequency,");
     }
-    for (int j = 1; const Polynomial& pole : poles()) {
+    for (int j = 1; const Polynomial& pole : linear_factors(k_.under)) {
       parts.push_back(maxwell({"k_" + name_, j}, {"tau_" + name_, j}));
       give_branch(pole, j);
       ++j;
@@ -164,11 +164,36 @@ class NamedFoster {
     return std::move(form_);
   }
 
+  /// Springs, dampers and Kelvin elements one behind the other: the terms of 1/K at infinity, at 0,
+  /// and at the other zeros of K.
+  FosterForm form_in_series() {
+    if (k_.over.is_zero() || above_.size() < below_.size()) throw None{};
+    std::vector<Network> parts;
+    if (above_.size() == below_.size()) {
+      parts.push_back(spring("k0_" + name_));
+      give({"k0_" + name_}, {above_.back(), below_.back()}, "a spring");
+    }
+    if (above_.front().is_zero()) {
+      if (above_[1].is_zero()) throw None{};
+      parts.push_back(damper("c0_" + name_));
+      give({"c0_" + name_}, {above_[1], below_.front()}, "a damper");
+    }
+    for (int j = 1; const Polynomial& zero : linear_factors(k_.over)) {
+      const Symbol k{"k_" + name_, j}, c{"c_" + name_, j};
+      parts.push_back(parallel({spring(k), damper(c)}));
+      give_kelvin_element(zero, k, c);
+      ++j;
+    }
+    form_.network = series(std::move(parts));
+    return std::move(form_);
+  }
+
  private:
-  // a + b s, in one order whatever the factors come in.
-  std::vector<Polynomial> poles() const {
+  // a + b s, in one order whatever the factors come in; s alone is none.
+  std::vector<Polynomial> linear_factors(const Polynomial& product) const {
     std::vector<Polynomial> all;
-    for (const auto& [factor, exponent] : polynomial_factors(k_.under).factors) {
+    for (const auto& [factor, exponent] : polynomial_factors(product).factors) {
+      if (factor == Polynomial::variable(factor.ring(), s_)) continue;
       const unsigned long degree = factor.degree(s_);
       if (degree == 0) continue;
       if (degree > 1)
@@ -195,16 +220,33 @@ class NamedFoster {
   void give_branch(const Polynomial& pole, int j) {
     const std::vector<Polynomial> line = in_powers_of(s_, pole);
     const Polynomial &a = line[0], &b = line[1];
-    Polynomial rest(pole.ring(), 0);
-    const int divides =
-        fmpz_mpoly_divides(rest.raw(), k_.under.raw(), pole.raw(), pole.ring().context());
-    ensure(divides != 0, "a factor divides its product");
-    const std::vector<Polynomial> others = in_powers_of(s_, rest);
+    const std::vector<Polynomial> others = others_in(k_.under, pole);
     give({"tau_" + name_, j}, {b, a}, "a relaxation time");
     give({"k_" + name_, j},
          {negated(at_pole(above_, a, b) * power_of(b, others.size())),
           a * at_pole(others, a, b) * power_of(b, above_.size())},
          "a Maxwell branch of stiffness");
+  }
+
+  // 1/K(s) = D(s)/((a + b s) E(s)) has the term 1/(k + c s) with k + c s = (a + b s) E(p)/D(p) at
+  // its pole p = -a/b.
+  void give_kelvin_element(const Polynomial& zero, const Symbol& k, const Symbol& c) {
+    const std::vector<Polynomial> line = in_powers_of(s_, zero);
+    const Polynomial &a = line[0], &b = line[1];
+    const std::vector<Polynomial> others = others_in(k_.over, zero);
+    const Polynomial above = at_pole(others, a, b) * power_of(b, below_.size()),
+                     below = at_pole(below_, a, b) * power_of(b, others.size());
+    give(k, {a * above, below}, "a spring");
+    give(c, {b * above, below}, "a damper");
+  }
+
+  /// The other factors of a product, in powers of s.
+  std::vector<Polynomial> others_in(const Polynomial& product, const Polynomial& factor) const {
+    Polynomial rest(factor.ring(), 0);
+    const int divides =
+        fmpz_mpoly_divides(rest.raw(), product.raw(), factor.raw(), factor.ring().context());
+    ensure(divides != 0, "a factor divides its product");
+    return in_powers_of(s_, rest);
   }
 
   /// sum_i coefficient_i (-a)^i b^(n - i), which is b^n times the polynomial of degree n at -a/b.
@@ -267,7 +309,11 @@ std::variant<FosterForm, NoFosterForm> named_foster_form(const PolynomialQuotien
   try {
     return NamedFoster(stiffness, s, name).form();
   } catch (None& none) {
-    return std::move(none.why);
+    try {
+      return NamedFoster(stiffness, s, name).form_in_series();
+    } catch (const None&) {
+      return std::move(none.why);
+    }
   }
 }
 

@@ -23,8 +23,10 @@ GiNaC::exmap coefficient_names(const std::vector<Line>& definitions) {
 }
 
 // Leading terms are powers of s with positive factors, which s = 1 leaves.
-Asymptote asymptote(const Model& model, bool high) {
-  const Asymptotic amplitude = model.asymptotic(high ? 1 : -1);
+Asymptote asymptote(const Model& model, bool high, const Abbreviations& abbreviated) {
+  const Asymptotic amplitude = shortest_in(
+      abbreviated, {}, [&](const Change& change) { return model.asymptotic(high ? 1 : -1, change); },
+      [](const Asymptotic& each) { return printed_operations(each.amplitude); });
   const GiNaC::exmap names = coefficient_names(amplitude.definitions);
   const Prose title{tends(omega(), high)};
   Asymptote result{high, title.text(), title, amplitude.power + 1, amplitude.amplitude.subs(names),
@@ -37,11 +39,13 @@ Asymptote asymptote(const Model& model, bool high) {
 
 }  // namespace
 
-std::vector<Asymptote> asymptotes(const Derivation& derivation) {
+std::vector<Asymptote> asymptotes(const Derivation& derivation, const Abbreviations& names) {
   const AlgebraLock lock;
   if (!rules::answer(rules::Question::all_frequencies, derivation.problem)) return {};
   const Model& model = *derivation.model;
-  return {asymptote(model, false), asymptote(model, true)};
+  // Z has no leading term that is short: that of m omega^2 alone is none of its own.
+  const Abbreviations ratio{names.ratio, {}};
+  return {asymptote(model, false, ratio), asymptote(model, true, ratio)};
 }
 
 }  // namespace vcrit::symbolic

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/abbreviations.hpp"
 #include "derivation/derivation.hpp"
 #include "formula/line.hpp"
 #include "formula/prose.hpp"
@@ -23,7 +24,7 @@ struct Asymptote {
                                   ///< what K_1, ..., K_n tend to without their power of s
 };
 
-/// At omega to 0 and to infinity, for every scene.
-std::vector<Asymptote> asymptotes(const Derivation& derivation);
+/// At omega to 0 and to infinity, for every scene; in g where this makes them shorter.
+std::vector<Asymptote> asymptotes(const Derivation& derivation, const Abbreviations& names = {});
 
 }  // namespace vcrit::symbolic

@@ -81,8 +81,9 @@ ex drive_label(const Problem& problem) {
 
 class Collector {
  public:
-  explicit Collector(const Derivation& derivation)
+  Collector(const Derivation& derivation, const Abbreviations& names)
       : own_(derivation),
+        names_(names),
         problem_(derivation.problem),
         model_(*derivation.model),
         elements_(element_groups(problem_, own_.parameters)) {}
@@ -111,7 +112,14 @@ class Collector {
     const std::optional<Formula> formula = model_.formula(change);
     if (!formula) return;
     limits_.push_back({title.text(), title, formula->equation, formula->velocity,
-                       formula->definitions, rates(change)});
+                       shown(*formula, change), formula->definitions, rates(change)});
+  }
+  /// Formulas in definitions stay as they are.
+  ex shown(const Formula& formula, const Change& change) const {
+    if (!formula.definitions.empty()) return formula.velocity;
+    return shortest_in(
+        names_, change, [&](const Change& each) { return model_.formula(each)->velocity; },
+        printed_operations);
   }
   // The drive grows fast enough to outrun its own dampers on their way to zero. Where it shares
   // elements with the contact, values alone cannot make it rigid.
@@ -178,6 +186,7 @@ class Collector {
   }
 
   const Derivation& own_;
+  const Abbreviations& names_;
   Problem problem_;
   const Model& model_;
   std::vector<ElementGroup> elements_;
@@ -186,9 +195,9 @@ class Collector {
 
 }  // namespace
 
-std::vector<Limit> limits(const Derivation& derivation) {
+std::vector<Limit> limits(const Derivation& derivation, const Abbreviations& names) {
   const AlgebraLock lock;
-  return Collector(derivation).collect();
+  return Collector(derivation, names).collect();
 }
 
 }  // namespace vcrit::symbolic

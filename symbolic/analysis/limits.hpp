@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/abbreviations.hpp"
 #include "derivation/derivation.hpp"
 #include "derivation/stiffness_forms.hpp"
 #include "formula/line.hpp"
@@ -19,6 +20,7 @@ struct Limit {
   Prose title;           ///< the same
   std::string equation;  ///< number in the paper, "(31)", where it is one, else empty
   Expression result;
+  Expression shown;  ///< the same, in g and Z where these make it shorter
   std::vector<Line> definitions;  ///< as in Derivation
   Rates rates;                    ///< a way to approach it; empty where values alone do not
 };
@@ -27,6 +29,6 @@ struct Limit {
 /// 0, then the drive to rigid, and the isotropic contact where both networks have one shape. Left
 /// out: limits that cut a network in two, in which the normal force grows without end or its mean
 /// can no longer be carried, or in which nothing is left that moves.
-std::vector<Limit> limits(const Derivation& derivation);
+std::vector<Limit> limits(const Derivation& derivation, const Abbreviations& names = {});
 
 }  // namespace vcrit::symbolic

@@ -149,13 +149,15 @@ double terms_before_squaring(const Model& model) {
   return std::max(count.over, count.under);
 }
 
-Amplitude multiplied_out(const Model& model, double budget, const GiNaC::exmap& in_others) {
+Amplitude multiplied_out(const Model& model, double budget, const Change& change) {
   const double terms = terms_before_squaring(model);
   if (terms > budget)
     throw ModelError(fmt::format(
         "multiplied out, v* has polynomials of {:.6g} terms, more than the budget of {:.6g}", terms,
         budget));
-  const ex amplitude = model.per_friction().subs(in_others).normal();
+  const ex amplitude =
+      change.ratio ? (model.amplitude(change) / symbol({"mu0"}) / symbol({"du_z"})).normal()
+                   : model.per_friction();
   ensure(!amplitude.has(quantity("R_d")), "who wants polynomials has asked the rulebook");
   auto ring = std::make_shared<const Ring>(variables(model, amplitude));
   QuotientAlgebra algebra{*ring, {}};
@@ -165,8 +167,8 @@ Amplitude multiplied_out(const Model& model, double budget, const GiNaC::exmap& 
   return {ring, evaluate_rational(amplitude, algebra)};
 }
 
-RationalForm rational_form(const Model& model, double budget, const GiNaC::exmap& in_others) {
-  const Amplitude amplitude = multiplied_out(model, budget, in_others);
+RationalForm rational_form(const Model& model, double budget, const Change& change) {
+  const Amplitude amplitude = multiplied_out(model, budget, change);
   return squared_form(amplitude.ring, amplitude.per_friction);
 }
 

@@ -28,11 +28,11 @@ struct Amplitude {
   PolynomialQuotient per_friction;  ///< without common factors
 };
 
-/// Throws ModelError, naming both numbers, if terms_before_squaring is more than `budget`. Symbols
-/// that `in_others` has are written in others.
-Amplitude multiplied_out(const Model& model, double budget, const GiNaC::exmap& in_others = {});
+/// Throws ModelError, naming both numbers, if terms_before_squaring is more than `budget`. The
+/// contact's ratio is that of the change, where it has one.
+Amplitude multiplied_out(const Model& model, double budget, const Change& change = {});
 /// Likewise.
-RationalForm rational_form(const Model& model, double budget, const GiNaC::exmap& in_others = {});
+RationalForm rational_form(const Model& model, double budget, const Change& change = {});
 
 /// The same with values for all symbols but omega; of any size.
 RationalForm rational_form(const Model& model, const std::map<std::string, GiNaC::numeric>& values);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -20,6 +21,10 @@ constexpr std::size_t most_factored = 400;
 
 // Terms of a factor that stands as it is.
 constexpr std::size_t short_factor = 3;
+
+// Terms of polynomials that are written in three ways in some tenths of a second; GiNaC's sums, not
+// FLINT's products, take the time.
+constexpr std::size_t most_written_thrice = 3000;
 
 using Polynomials = std::map<unsigned long, Polynomial>;
 
@@ -73,17 +78,22 @@ class InOtherVariables {
   std::optional<Polynomial> operator()(const Polynomial& polynomial) const {
     if (way_ == Way::plain) return polynomial;
     const std::size_t mass = from_.index(swinging_->mass), omega = from_.index("omega");
-    Polynomial result(ring_, 0);
+    Polynomials by_mass;
     for (std::size_t i = 0; i < polynomial.terms(); ++i) {
       std::vector<unsigned long> exponents = polynomial.exponents(i);
       const unsigned long power = std::exchange(exponents[mass], 0);
       if (exponents[omega] < 2 * power) return std::nullopt;
       exponents[omega] -= 2 * power;
       exponents.push_back(0);
-      Polynomial term(ring_, 0);
-      term.add_term(polynomial.coefficient(i), exponents);
-      for (unsigned long j = 0; j < power; ++j) term *= mass_times_square();
-      result += term;
+      by_mass.try_emplace(power, ring_, 0)
+          .first->second.add_term(polynomial.coefficient(i), exponents);
+    }
+    // Horner's scheme: a product for each power, not for each term.
+    const Polynomial inertia = mass_times_square();
+    Polynomial result(ring_, 0);
+    for (unsigned long power = by_mass.empty() ? 0 : by_mass.rbegin()->first + 1; power-- > 0;) {
+      result *= inertia;
+      if (const auto known = by_mass.find(power); known != by_mass.end()) result += known->second;
     }
     return result;
   }
@@ -115,7 +125,7 @@ class InOtherVariables {
 Line meaning_of(Way way, const Swinging& swinging) {
   const ex spring = symbol({swinging.spring}),
            inertia = symbol({swinging.mass}) * GiNaC::pow(omega(), 2);
-  if (way == Way::stiffness) return {"", quantity("Z"), spring - inertia};
+  if (way == Way::stiffness) return {"", real_quantity("Z"), spring - inertia};
   return {"", quantity("beta"), inertia / spring};
 }
 
@@ -149,7 +159,7 @@ class FactorWriter {
 
   ex sum(const Polynomial& polynomial, const std::string& coefficient) {
     const std::string name = variable(polynomial);
-    const ex unknown = name == "omega" ? omega() : quantity(by_);
+    const ex unknown = name == "omega" ? omega() : by_ == "Z" ? real_quantity(by_) : quantity(by_);
     ex result = 0;
     std::vector<Line> coefficients;
     for (const auto& [power, value] : by_powers(polynomial, name)) {
@@ -176,18 +186,52 @@ class FactorWriter {
   std::string by_;
 };
 
-/// The shortest of the ways in which `write` gives lines.
-std::vector<Line> shortest_way(
-    const Ring& ring, const std::optional<Swinging>& swinging,
-    const std::function<std::vector<Line>(const InOtherVariables&, const std::string& by)>& write) {
+using Writer = std::function<std::vector<Line>(const InOtherVariables&, const std::string& by)>;
+
+/// The lines of one way; none where it does not suit the polynomials.
+std::vector<Line> lines_in(const InOtherVariables& other, Way way, const Swinging* swinging,
+                           const Writer& write) {
+  std::vector<Line> lines = write(other, way == Way::plain ? "" : other.name());
+  if (way != Way::plain && !lines.empty())
+    lines.insert(lines.begin() + 1, meaning_of(way, *swinging));
+  return lines;
+}
+
+/// The way in which the polynomials have the fewest terms.
+Way way_of_fewest_terms(const std::vector<const Polynomial*>& polynomials,
+                        const Swinging* swinging) {
+  std::pair best(std::numeric_limits<std::size_t>::max(), Way::plain);
+  for (const Way way : {Way::plain, Way::stiffness, Way::ratio}) {
+    const InOtherVariables other(polynomials.front()->ring(), way, swinging);
+    std::size_t terms = 0;
+    for (const Polynomial* polynomial : polynomials) {
+      const std::optional<Polynomial> written = other(*polynomial);
+      terms = written ? terms + written->terms() : best.first;
+      if (terms >= best.first) break;
+    }
+    if (terms < best.first) best = {terms, way};
+  }
+  return best.second;
+}
+
+/// The polynomials in the shortest of the ways in which `write` gives lines. Long ones are written
+/// once: their terms alone decide.
+std::vector<Line> shortest_way(const std::vector<const Polynomial*>& polynomials,
+                               const std::optional<Swinging>& given, const Writer& write) {
+  const Ring& ring = polynomials.front()->ring();
+  const bool swings = given && ring.holds(given->mass) && ring.holds(given->spring);
+  const Swinging* const swinging = swings ? &*given : nullptr;
+  std::vector<Way> ways{Way::plain};
+  if (swings) ways.insert(ways.end(), {Way::stiffness, Way::ratio});
+  std::size_t terms = 0;
+  for (const Polynomial* polynomial : polynomials) terms += polynomial->terms();
+  if (swings && terms > most_written_thrice) ways = {way_of_fewest_terms(polynomials, swinging)};
   std::vector<Line> best;
   int least = 0;
-  for (const Way way : {Way::plain, Way::stiffness, Way::ratio}) {
-    if (way != Way::plain && !swinging) break;
-    const InOtherVariables other(ring, way, swinging ? &*swinging : nullptr);
-    std::vector<Line> lines = write(other, way == Way::plain ? "" : other.name());
+  for (const Way way : ways) {
+    const InOtherVariables other(ring, way, swinging);
+    std::vector<Line> lines = lines_in(other, way, swinging, write);
     if (lines.empty()) continue;
-    if (way != Way::plain) lines.insert(lines.begin() + 1, meaning_of(way, *swinging));
     const int length = operations_in_lines(lines);
     if (!best.empty() && length >= least) continue;
     least = length, best = std::move(lines);
@@ -275,23 +319,25 @@ std::optional<Swinging> swinging(const Problem& problem) {
 
 std::optional<Line> ratio_line(const Problem& problem) {
   const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
-  if (isotropic == nullptr || isotropic->quantity.value || isotropic->by != Isotropic::By::poisson)
-    return std::nullopt;
-  const ex nu = poisson_ratio(isotropic->quantity.symbol);
-  return Line{"", positive_quantity("g"), (2 - nu) / (2 * (1 - nu))};
+  if (isotropic == nullptr) return std::nullopt;
+  const bool known = isotropic->quantity.value.has_value();
+  if (known ? problem->rigid() : isotropic->by != Isotropic::By::poisson) return std::nullopt;
+  const ex ratio = isotropic_ratio(*isotropic);
+  if (ratio.is_equal(1)) return std::nullopt;
+  return Line{"", positive_quantity("g"), (1 / ratio).normal()};
 }
 
-GiNaC::exmap in_ratio(const Problem& problem) {
-  if (!ratio_line(problem)) return {};
-  const ex g = positive_quantity("g");
-  const auto& given = std::get<Isotropic>(problem->tangential).quantity;
-  return {{poisson_ratio(given.symbol), (2 * g - 2) / (2 * g - 1)}};
+Change in_ratio(const Problem& problem) {
+  Change change;
+  if (ratio_line(problem)) change.ratio = 1 / positive_quantity("g");
+  return change;
 }
 
 ex expression(const Polynomial& polynomial) {
   std::vector<ex> variables;
   for (const std::string& name : polynomial.ring().names())
-    variables.push_back(name == own_name("g") ? positive_quantity("g")
+    variables.push_back(name == own_name("g")   ? positive_quantity("g")
+                        : name == own_name("Z") ? real_quantity("Z")
                         : is_own(name)        ? quantity(base_name(name))
                                               : symbol({name}));
   GiNaC::exvector terms;
@@ -306,9 +352,7 @@ ex expression(const Polynomial& polynomial) {
 }
 
 std::vector<Line> lines_of(const RationalForm& form, const std::optional<Swinging>& swinging) {
-  const bool holds =
-      swinging && form.ring->holds(swinging->mass) && form.ring->holds(swinging->spring);
-  return shortest_way(*form.ring, holds ? swinging : std::nullopt,
+  return shortest_way({&form.square.over, &form.square.under}, swinging,
                       [&](const InOtherVariables& in, const std::string& by) {
                         return square_lines(form, in, by);
                       });
@@ -318,11 +362,9 @@ std::vector<Line> extrema_lines_of(const RationalForm& form,
                                    const std::optional<Swinging>& swinging) {
   const Polynomial slope = stationary(form);
   if (slope.degree("omega") == 0 || has_one_sign(slope)) return {};
-  const bool holds =
-      swinging && form.ring->holds(swinging->mass) && form.ring->holds(swinging->spring);
-  return shortest_way(
-      *form.ring, holds ? swinging : std::nullopt,
-      [&](const InOtherVariables& in, const std::string& by) { return root_lines(slope, in, by); });
+  return shortest_way({&slope}, swinging, [&](const InOtherVariables& in, const std::string& by) {
+    return root_lines(slope, in, by);
+  });
 }
 
 }  // namespace vcrit::symbolic

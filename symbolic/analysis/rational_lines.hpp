@@ -20,11 +20,12 @@ struct Swinging {
 /// Of a body under a drive with one spring from end to end.
 std::optional<Swinging> swinging(const Problem& problem);
 
-/// g = K_n/K_t = (2 - nu)/(2 (1 - nu)) of an isotropic contact with a Poisson's ratio that is a
-/// symbol: formulas in it are shorter than in nu.
+/// g = K_n/K_t of an isotropic contact: formulas in it are shorter than in nu, and 14 and 17 are
+/// numbers without a meaning. Nothing for a ratio that has a name or is 1, and for one with a value
+/// where no drive is beside the contact.
 std::optional<Line> ratio_line(const Problem& problem);
-/// nu in g; nothing for other contacts.
-GiNaC::exmap in_ratio(const Problem& problem);
+/// The contact's ratio as 1/g, where g has a line.
+Change in_ratio(const Problem& problem);
 
 /// v*^2 = mu0^2 du_z^2 omega^2 N/D, N and D by powers of omega, and their coefficients.
 std::vector<Line> lines_of(const RationalForm& form, const std::optional<Swinging>& swinging = {});

@@ -64,7 +64,54 @@ std::set<NumberRole> roles(const MassBalance& balance, const Model& model) {
   return found;
 }
 
-Resonance resonance(const ex& factor, Resonance::Kind kind, const ex& m, const Model& model) {
+/// Without their numbers.
+Resonance::Parts without_numbers(const Resonance::Parts& parts) {
+  const auto divided = [](const ex& part) {
+    return part.is_zero() ? part : (part / part.integer_content()).expand();
+  };
+  return {divided(parts.real), divided(parts.imaginary)};
+}
+
+/// The factor of the amplitude that the condition comes from, of the same mass and stiffnesses.
+std::optional<ex> factor_in(const Change& change, const ex& factor, const ex& m,
+                            const Model& model) {
+  for (const auto& [other, exponent] : model.factors(change).parts()) {
+    const bool same = std::all_of(
+        model.networks().begin(), model.networks().end(), [&](const Part& part) {
+          return other.has(quantity(part.name)) == factor.has(quantity(part.name));
+        });
+    if (other.has(m) && same) return other;
+  }
+  return std::nullopt;
+}
+
+/// K_n + g (K_d - m omega^2), say, and its parts.
+void abbreviate(Resonance& resonance, const ex& factor, const ex& m, const Model& model,
+                const Abbreviations& names) {
+  if (names.ratio) {
+    const ex g = names.ratio->left;
+    Change change;
+    change.ratio = 1 / g;
+    const auto other = factor_in(change, factor, m, model);
+    if (other && other->has(g))
+      resonance.condition = other->subs(laplace() == GiNaC::I * omega()).expand().collect(g);
+  }
+  if (!resonance.parts) return;
+  resonance.parts = shortest_in(
+      names, {},
+      [&](const Change& change) {
+        const auto other = factor_in(change, factor, m, model);
+        const auto known = model.multiplied_out(factor, change);
+        return other && known ? without_numbers(real_and_imaginary(other->subs(*known)))
+                              : *resonance.parts;
+      },
+      [](const Resonance::Parts& parts) {
+        return printed_operations(parts.real) + printed_operations(parts.imaginary);
+      });
+}
+
+Resonance resonance(const ex& factor, Resonance::Kind kind, const ex& m, const Model& model,
+                    const Abbreviations& names) {
   const MassBalance balance = per_mass(factor, m, model);
   Resonance found{kind, balance.whole.subs(laplace() == GiNaC::I * omega()), {}, {}, {}, {}, {}};
   const std::set<NumberRole> inside = roles(balance, model);
@@ -80,6 +127,7 @@ Resonance resonance(const ex& factor, Resonance::Kind kind, const ex& m, const M
     const Resonance::Parts parts = real_and_imaginary(balance.whole.subs(*known));
     if (is_readable_part(parts.real) && is_readable_part(parts.imaginary)) found.parts = parts;
   }
+  abbreviate(found, factor, m, model, names);
   return found;
 }
 
@@ -93,7 +141,7 @@ std::optional<ex> mass_in(const Problem& problem, Resonance::Kind kind) {
 
 }  // namespace
 
-std::vector<Resonance> resonances(const Derivation& derivation) {
+std::vector<Resonance> resonances(const Derivation& derivation, const Abbreviations& names) {
   using Kind = Resonance::Kind;
   const AlgebraLock lock;
   const Model& model = *derivation.model;
@@ -109,7 +157,7 @@ std::vector<Resonance> resonances(const Derivation& derivation) {
       const bool along_normal = factor.has(quantity("K_m")), vanishes = exponent > 0;
       if (factor.has(*mass) && along_normal == (kind == Kind::mount_resonance) &&
           vanishes == (kind == Kind::antiresonance))
-        found.push_back(resonance(factor, kind, *mass, model));
+        found.push_back(resonance(factor, kind, *mass, model, names));
     }
   }
   return found;

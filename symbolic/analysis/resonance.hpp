@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "analysis/abbreviations.hpp"
 #include "derivation/derivation.hpp"
 #include "formula/line.hpp"
 
@@ -31,7 +32,8 @@ struct Resonance {
   std::vector<Line> definitions;  ///< of what condition and frequency name, as in Derivation
 };
 
-/// In the order of Kind; nothing for a scene without a mass.
-std::vector<Resonance> resonances(const Derivation& derivation);
+/// In the order of Kind; nothing for a scene without a mass. Conditions and parts that are short
+/// enough are written in g and Z where these make them shorter, each times some positive number.
+std::vector<Resonance> resonances(const Derivation& derivation, const Abbreviations& names = {});
 
 }  // namespace vcrit::symbolic

@@ -255,16 +255,15 @@ std::optional<Formula> Model::formula(const Change& change) const {
                  equation(fractions, powers, change)};
 }
 
-std::optional<Factors> Model::multiplied_out_amplitude() const {
-  const Factors amplitude = leading_amplitude({}, {}).value;
-  if (!is_small(amplitude.value(), {})) return std::nullopt;
-  return multiplied_out(amplitude, fractions({}));
+std::optional<Factors> Model::multiplied_out_amplitude(const Change& change) const {
+  const Factors amplitude = leading_amplitude({}, change).value;
+  if (!is_small(amplitude.value(), change)) return std::nullopt;
+  return multiplied_out(amplitude, fractions(change));
 }
 
 Formula Model::nested_formula() const { return nested_in(leading_amplitude({}, {}).value, {}); }
 
-Asymptotic Model::asymptotic(int direction) const {
-  Change change;
+Asymptotic Model::asymptotic(int direction, Change change) const {
   change.rates[{"omega"}] = direction;
   const Leading<Factors> leading = leading_amplitude(powers(change), change);
   const ex amplitude = leading.value.value();
@@ -311,10 +310,11 @@ std::vector<Line> Model::definitions(const ex& formula, const Change& change) co
   return lines;
 }
 
-std::optional<GiNaC::exmap> Model::multiplied_out(const ex& expression) const {
-  if (!is_small(expression, {})) return std::nullopt;
+std::optional<GiNaC::exmap> Model::multiplied_out(const ex& expression,
+                                                  const Change& change) const {
+  if (!is_small(expression, change)) return std::nullopt;
   GiNaC::exmap put;
-  for (const auto& [name, k] : fractions({}))
+  for (const auto& [name, k] : fractions(change))
     if (has_quantity(expression, name)) put[quantity(name)] = k.numerator / k.denominator;
   return put;
 }

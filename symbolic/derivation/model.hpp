@@ -61,11 +61,11 @@ class Model {
   /// carry the mean load, or leaves no motion.
   std::optional<Formula> formula(const Change& change) const;
   /// The amplitude B as polynomials in s, if it is then short enough to be read.
-  std::optional<Factors> multiplied_out_amplitude() const;
+  std::optional<Factors> multiplied_out_amplitude(const Change& change = {}) const;
   /// The formula in terms of K_n, K_t, K_d and K_m, however small it is.
   Formula nested_formula() const;
   /// What the amplitude tends to as omega goes to infinity (`direction` 1) or to zero (-1).
-  Asymptotic asymptotic(int direction) const;
+  Asymptotic asymptotic(int direction, Change change = {}) const;
   /// "K_t = r K_n", "K_d = K_n" and "K_d = 1/R_d", as far as they hold in the scene.
   const std::vector<Line>& identities() const { return identities_; }
   /// K_t/K_n of an isotropic contact.
@@ -76,7 +76,8 @@ class Model {
   const std::vector<Part>& networks() const { return networks_; }
   /// K_n, K_t, K_d and K_m of `expression` as ratios of polynomials in s, if it then stays
   /// readable.
-  std::optional<GiNaC::exmap> multiplied_out(const GiNaC::ex& expression) const;
+  std::optional<GiNaC::exmap> multiplied_out(const GiNaC::ex& expression,
+                                             const Change& change = {}) const;
 
  private:
   void put_drive(const ReducedNetwork& drive);

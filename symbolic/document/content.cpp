@@ -1,6 +1,7 @@
 #include "document/content.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include "document/steps.hpp"
 #include "formula/series.hpp"
@@ -62,7 +63,7 @@ Section derivation_section(const Findings& findings) {
   const Derivation& derivation = findings.derivation;
   Section section;
   section.blocks = blocks_of(derivation.lines);
-  const std::vector<DocumentBlock> steps = root_steps(derivation);
+  const std::vector<DocumentBlock> steps = root_steps(derivation, findings.abbreviated.names);
   section.blocks.insert(section.blocks.end() - 1, steps.begin(), steps.end());
   DocumentBlock& result = section.blocks.back();
   result.words += " " + derivation.equation;
@@ -102,26 +103,45 @@ Section facts_section(const Findings& findings) {
   return section;
 }
 
-/// A title with the number of an equation.
-Prose headed(Prose title, const std::string& equation) {
-  if (!equation.empty()) title += " " + equation;
-  return title;
+/// A title with the number of an equation; its first word with a capital, its first symbol as it is.
+Prose headed(const Prose& title, const std::string& equation) {
+  Prose result;
+  for (Prose::Part part : title.parts()) {
+    if (result.empty() && !part.words.empty())
+      part.words.front() = static_cast<char>(std::toupper(part.words.front()));
+    result += {part};
+  }
+  if (!equation.empty()) result += " " + equation;
+  return result;
+}
+
+/// g and Z, if what follows has them.
+void add_names(const Abbreviations& names, const std::vector<ex>& shown, Section& section) {
+  const std::vector<Line> used = names.used_by(shown);
+  if (!used.empty()) section.blocks.push_back({"With", used});
 }
 
 /// What the inner quantities are in the limit, where they differ, then v*.
 Section limits_section(const Findings& findings) {
   Section section{"Limits and special cases", "", {}};
+  std::vector<ex> shown;
+  for (const Limit& limit : findings.limits) shown.push_back(limit.shown);
+  add_names(findings.abbreviated.names, shown, section);
   for (const Limit& limit : findings.limits) {
     DocumentBlock block{headed(limit.title, limit.equation), {}};
     if (!same(limit.definitions, findings.derivation.definitions)) block.lines = limit.definitions;
-    block.lines.push_back(velocity_line(limit.result));
+    block.lines.push_back(velocity_line(limit.shown));
     section.blocks.push_back(block);
   }
   return section;
 }
 
-Section asymptotes_section(const std::vector<Asymptote>& asymptotes) {
+Section asymptotes_section(const Findings& findings) {
   Section section{"Low and high frequency", "", {}};
+  const auto& [names, asymptotes, resonances] = findings.abbreviated;
+  std::vector<ex> shown;
+  for (const Asymptote& asymptote : asymptotes) shown.push_back(asymptote.coefficient);
+  add_names(names, shown, section);
   for (const Asymptote& asymptote : asymptotes) {
     DocumentBlock block{asymptote.title, asymptote.definitions, true};
     block.lines.push_back(asymptote_line(asymptote));
@@ -161,8 +181,16 @@ std::vector<DocumentBlock> resonance_blocks(const Resonance& resonance) {
   return blocks;
 }
 
-Section resonances_section(const std::vector<Resonance>& resonances) {
+Section resonances_section(const Findings& findings) {
   Section section{"Resonance and antiresonance", "", {}};
+  const auto& [names, asymptotes, resonances] = findings.abbreviated;
+  std::vector<ex> shown;
+  for (const Resonance& resonance : resonances) {
+    shown.push_back(resonance.condition);
+    if (resonance.parts)
+      shown.insert(shown.end(), {resonance.parts->real, resonance.parts->imaginary});
+  }
+  add_names(names, shown, section);
   for (const Resonance& resonance : resonances)
     for (const DocumentBlock& block : resonance_blocks(resonance)) section.blocks.push_back(block);
   return section;
@@ -304,8 +332,8 @@ std::vector<Section> sections(const Findings& findings, FactsPlace place) {
                            half_space_section(findings),
                            separation_section(findings),
                            limits_section(findings),
-                           asymptotes_section(findings.asymptotes),
-                           resonances_section(findings.resonances),
+                           asymptotes_section(findings),
+                           resonances_section(findings),
                            extrema_section(findings.extrema),
                            sensitivities_section(findings)};
   if (place == FactsPlace::first && !facts.blocks.empty()) {

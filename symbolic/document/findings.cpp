@@ -8,6 +8,8 @@
 #include "analysis/separation.hpp"
 #include "base/errors.hpp"
 #include "document/form_lines.hpp"
+#include "formula/dialect.hpp"
+#include "formula/text.hpp"
 #include "rules/rulebook.hpp"
 #include "shortest/proof.hpp"
 
@@ -44,6 +46,18 @@ Derivation shown_derivation(const Derivation& derivation, const DocumentOptions&
   return expanded;
 }
 
+/// Z of the result, where it has one, is the drive's real stiffness: a name has one meaning.
+Abbreviations names_beside(const std::optional<ShortestForm>& form, const Derivation& derivation) {
+  Abbreviations names = abbreviations(derivation);
+  if (!form || !names.stiffness) return names;
+  const std::string meaning = to_text(names.stiffness->right),
+                    name = form_of(names.stiffness->left).form.text;
+  for (const ShortestForm::Definition& each : form->definitions)
+    if (each.name.text == name && text_dialect().print({false, each.meaning}) != meaning)
+      names.stiffness.reset();
+  return names;
+}
+
 }  // namespace
 
 Findings findings_of(const Problem& problem, const DocumentOptions& options) {
@@ -58,6 +72,7 @@ Findings findings_of(const Problem& problem, const DocumentOptions& options) {
                     {},
                     {},
                     {},
+                    {},
                     rules::answer(rules::Question::motion_in_time, problem).reason,
                     {},
                     {},
@@ -65,6 +80,7 @@ Findings findings_of(const Problem& problem, const DocumentOptions& options) {
                     {},
                     facts(derivation)};
   write_form(findings, derivation, options);
+  findings.abbreviated.names = names_beside(findings.shortest, derivation);
   const std::size_t symbols = findings.derivation.parameters.size();
   if (options.limits) refuse_large(findings.derivation, 2 * symbols, "limits");
   if (options.sensitivities)
@@ -72,9 +88,12 @@ Findings findings_of(const Problem& problem, const DocumentOptions& options) {
   if (problem->indenter) findings.half_space = half_space_lines(derivation);
   if (problem->separation) findings.separation = separation_lines(derivation);
   if (options.limits) {
-    findings.limits = limits(derivation);
+    Findings::Abbreviated& abbreviated = findings.abbreviated;
+    findings.limits = limits(derivation, abbreviated.names);
     findings.asymptotes = asymptotes(derivation);
+    abbreviated.asymptotes = asymptotes(derivation, abbreviated.names);
     findings.resonances = resonances(derivation);
+    abbreviated.resonances = resonances(derivation, abbreviated.names);
     if (options.form != ResultForm::rational)
       findings.extrema = extrema_lines(derivation, readable_extrema);
   }

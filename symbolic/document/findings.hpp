@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/abbreviations.hpp"
 #include "analysis/asymptotes.hpp"
 #include "analysis/limits.hpp"
 #include "analysis/resonance.hpp"
@@ -27,6 +28,12 @@ struct Findings {
   std::vector<Limit> limits;
   std::vector<Asymptote> asymptotes;
   std::vector<Resonance> resonances;
+  /// What people read, in g and Z where these make it shorter.
+  struct Abbreviated {
+    Abbreviations names;
+    std::vector<Asymptote> asymptotes;
+    std::vector<Resonance> resonances;
+  } abbreviated;
   std::vector<Line> extrema;
   Sensitivities sensitivities;
   std::optional<std::vector<Line>> separation;  ///< of a contact that may open

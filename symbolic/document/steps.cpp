@@ -44,12 +44,13 @@ Powers in_order(Powers parts) {
 
 /// B as a product, with a name for each polynomial that is complex at s = i omega.
 struct NamedAmplitude {
+  ex whole;
   Factors product;
   std::vector<Equation> polynomials;  ///< P_1 = even + i omega odd
 };
 
 NamedAmplitude named_amplitude(const Factors& amplitude) {
-  NamedAmplitude result;
+  NamedAmplitude result{amplitude.value(), {}, {}};
   result.product.multiply_rational(amplitude.coefficient());
   for (const auto& [factor, exponent] : in_order(amplitude.parts())) {
     ex part = factor;
@@ -64,23 +65,42 @@ NamedAmplitude named_amplitude(const Factors& amplitude) {
   return result;
 }
 
+/// The line of g is before it.
+Prose words_of(const Statement& at, const Abbreviations& names, const NamedAmplitude& named) {
+  Prose words{"Multiplied out, with even and odd powers of ", at, " separated"};
+  if (names.stiffness && named.whole.has(names.stiffness->left))
+    words += {", and ", stated(names.stiffness->left, names.stiffness->right)};
+  return words;
+}
+
+int operations_of(const NamedAmplitude& named) {
+  int sum = printed_operations(named.product.value());
+  for (const Equation& each : named.polynomials) sum += operations_in(each.right.form);
+  return sum;
+}
+
 }  // namespace
 
-std::vector<DocumentBlock> root_steps(const Derivation& derivation) {
+std::vector<DocumentBlock> root_steps(const Derivation& derivation, const Abbreviations& names) {
   const ex v = quantity("v*"), a = quantity("a"), b = quantity("b");
   const ex complex = a + GiNaC::I * b;
   const Line absolute{"", GiNaC::abs(complex), GiNaC::sqrt(a * a + b * b)};
   const Statement at = stated(laplace(), GiNaC::I * omega());
-  const std::optional<Factors> amplitude = derivation.model->multiplied_out_amplitude();
-  if (!amplitude)
+  const Model& model = *derivation.model;
+  if (!model.multiplied_out_amplitude())
     return {{{"The absolute value of a product is the product of absolute values; each factor is ",
               complex, " with real ", a, " and ", b, " at ", at},
              {absolute}}};
-  NamedAmplitude named = named_amplitude(*amplitude);
+  NamedAmplitude named = shortest_in(
+      names, {},
+      [&](const Change& change) {
+        return named_amplitude(model.multiplied_out_amplitude(change).value());
+      },
+      operations_of);
   if (named.polynomials.empty()) return {};
   const ex product = named.product.value().subs(laplace() == GiNaC::I * omega());
   named.polynomials.push_back({form_of(quantity("B")).form, form_of(product), {}});
-  return {{{"Multiplied out, with even and odd powers of ", at, " separated"},
+  return {{words_of(at, names, named),
            {},
            false,
            named.polynomials},

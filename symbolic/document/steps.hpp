@@ -4,12 +4,13 @@
 
 #include <vector>
 
+#include "analysis/abbreviations.hpp"
 #include "derivation/derivation.hpp"
 #include "document/content.hpp"
 
 namespace vcrit::symbolic {
 
-/// None where nothing but real numbers is multiplied.
-std::vector<DocumentBlock> root_steps(const Derivation& derivation);
+/// None where nothing but real numbers is multiplied. In g and Z where these make it shorter.
+std::vector<DocumentBlock> root_steps(const Derivation& derivation, const Abbreviations& names);
 
 }  // namespace vcrit::symbolic

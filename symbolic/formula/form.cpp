@@ -43,19 +43,35 @@ int frequency_degree(const Form& form) {
 
 std::string key(const Form& form) { return text_dialect().print({false, form}); }
 
+/// g = K_n/K_t and Z = k_d - m omega^2 are the drive's share: behind the contact, k_0 + g Z.
+bool is_of_drive(const Form& form) {
+  switch (form.kind) {
+    case Form::Kind::name:
+      return form.text == own_name("g") || form.text == own_name("Z");
+    case Form::Kind::power:
+      return is_of_drive(form.over[0]);
+    case Form::Kind::product:
+      return std::any_of(form.over.begin(), form.over.end(), is_of_drive);
+    default:
+      return false;
+  }
+}
+
 void sort_terms(std::vector<Signed>& terms) {
   if (terms.size() < 2) return;
-  using Key = std::tuple<int, bool, std::string>;
+  using Key = std::tuple<int, bool, bool, std::string>;
   std::vector<std::pair<Key, Signed>> keyed;
   for (Signed& term : terms) {
-    Key rank{frequency_degree(term.form), holds_sum(term.form), key(term.form)};
+    Key rank{frequency_degree(term.form), holds_sum(term.form), is_of_drive(term.form),
+             key(term.form)};
     keyed.emplace_back(std::move(rank), std::move(term));
   }
   std::sort(keyed.begin(), keyed.end(), [](const auto& a, const auto& b) {
-    const auto& [degree_a, sum_a, text_a] = a.first;
-    const auto& [degree_b, sum_b, text_b] = b.first;
-    if (std::tie(degree_a, sum_a) != std::tie(degree_b, sum_b))
-      return std::tie(degree_a, sum_a) < std::tie(degree_b, sum_b);
+    const auto& [degree_a, sum_a, drive_a, text_a] = a.first;
+    const auto& [degree_b, sum_b, drive_b, text_b] = b.first;
+    const auto first = std::tie(degree_a, sum_a, drive_a),
+               second = std::tie(degree_b, sum_b, drive_b);
+    if (first != second) return first < second;
     return natural_less(text_a, text_b);
   });
   for (std::size_t i = 0; i < terms.size(); ++i) terms[i] = std::move(keyed[i].second);
@@ -94,8 +110,9 @@ int rank(const Form& form, bool prefactor) {
   }
   if (form.text.starts_with("K_") || form.text.starts_with("L_")) return 1;
   if (form.text.starts_with("dK_")) return 2;
-  const auto found = names.find(form.text);
-  return found == names.end() ? 0 : found->second;
+  if (const auto found = names.find(form.text); found != names.end()) return found->second;
+  // Names of steps stand behind elements: k_0 P_3.
+  return is_own(form.text) ? 1 : 0;
 }
 
 void sort_factors(std::vector<Form>& factors) {

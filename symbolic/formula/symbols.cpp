@@ -36,6 +36,12 @@ GiNaC::ex positive_quantity(const std::string& name) {
   return known.try_emplace(name, own_name(name)).first->second;
 }
 
+GiNaC::ex real_quantity(const std::string& name) {
+  const AlgebraLock lock;
+  static std::map<std::string, GiNaC::realsymbol> known;
+  return known.try_emplace(name, own_name(name)).first->second;
+}
+
 GiNaC::ex omega() {
   const AlgebraLock lock;
   return symbol({"omega"});

@@ -22,6 +22,9 @@ GiNaC::ex quantity(const std::string& name);
 /// A positive quantity of the derivation itself: a dimensionless group.
 GiNaC::ex positive_quantity(const std::string& name);
 
+/// A real quantity of the derivation itself, of either sign: Z = k_d - m omega^2.
+GiNaC::ex real_quantity(const std::string& name);
+
 /// omega, and s = i omega.
 GiNaC::ex omega();
 GiNaC::ex laplace();

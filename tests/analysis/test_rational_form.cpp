@@ -60,6 +60,15 @@ BOOST_AUTO_TEST_CASE(coefficients_are_factored_in_the_shortest_variables) {
       (found == Texts{"v*^2 = mu0^2*omega^2*du_z^2*N/(196*Z^2*(k1^2 + c1^2*omega^2))",
                       "Z = kd - m*omega^2", "N = n_0 + n_2*omega^2", "n_0 = k1^2*(14*k0 + 17*Z)^2",
                       "n_2 = c1^2*(14*k0 + 14*k1 + 17*Z)^2"}));
+  // As documents have it: with the ratio by its name.
+  found.clear();
+  const RationalForm named = rational_form(Model(zener), 100, in_ratio(zener));
+  for (const Line& line : lines_of(named, swinging(zener)))
+    found.push_back(to_text(line.left) + " = " + to_text(line.right));
+  BOOST_TEST((found == Texts{"v*^2 = mu0^2*omega^2*du_z^2*N/(Z^2*(k1^2 + c1^2*omega^2))",
+                             "Z = kd - m*omega^2", "N = n_0 + n_2*omega^2",
+                             "n_0 = k1^2*(k0 + g*Z)^2", "n_2 = c1^2*(k0 + k1 + g*Z)^2"}));
+  BOOST_TEST(to_text(ratio_line(zener)->right) == "17/14");
 }
 
 // v*^2 of springs and a mass is w^2 (kt + Z)^2/Z^2 up to a factor, Z = kd - m w^2: extrema at kt +
@@ -100,7 +109,7 @@ BOOST_AUTO_TEST_CASE(poissons_ratio_is_in_the_ratio_of_the_stiffnesses) {
   const Scene scene = test::scene_of("normal = \"k0\"\npoisson = \"nu\"", "kd", "m");
   const RationalForm form = rational_form(Model(scene), 100, in_ratio(scene));
   BOOST_TEST(to_text(lines_of(form, swinging(scene)).front().right) ==
-             "mu0^2*omega^2*du_z^2*(g*Z + k0)^2/Z^2");
+             "mu0^2*omega^2*du_z^2*(k0 + g*Z)^2/Z^2");
   BOOST_TEST(!ratio_line(test::scene_of("normal = \"k0\"\npoisson = 0.3")));
 }
 

@@ -57,6 +57,10 @@ BOOST_AUTO_TEST_CASE(sums_and_products_have_one_order) {
   BOOST_TEST(to_text(GiNaC::I * w * c) == "i*omega*c1");
   BOOST_TEST(to_text(GiNaC::pow(sym("mu0") * w * sym("du_z"), 2) * k) == "mu0^2*omega^2*du_z^2*k0");
   BOOST_TEST(to_text(k * quantity("Z") * w * w) == "k0*Z*omega^2");
+  // Elements, then names of steps; what is the contact's, then the drive's.
+  BOOST_TEST(to_text(quantity("P_3") * k * quantity("S")) == "k0*P_3*S");
+  BOOST_TEST(to_text(real_quantity("Z") * positive_quantity("g") + k) == "k0 + g*Z");
+  BOOST_TEST(to_text(GiNaC::pow(real_quantity("Z"), 2) * c - k) == "-k0 + c1*Z^2");
   BOOST_TEST(to_text(1 / (1 / k + 1 / (c * laplace()))) == "1/(1/(c1*s) + 1/k0)");
   BOOST_TEST(to_text(ex(0)) == "0");
 }
@@ -132,6 +136,20 @@ BOOST_AUTO_TEST_CASE(text_shows_the_way_and_the_limits) {
                            "v* = omega*abs(B)", "(13)", "(19)", "(24)", "(29)", "(30)", "(31)"})
     BOOST_TEST(text.find(line) != std::string::npos, line);
   BOOST_TEST(print(test::kelvin_scene(), {Format::text, false}).find("(31)") == std::string::npos);
+}
+
+// K_n + g Z over the denominator of K_n, by hand.
+BOOST_AUTO_TEST_CASE(steps_have_the_ratio_and_the_stiffness_by_name) {
+  for (const char* ratio : {"poisson = 0.3", "poisson = \"nu\""}) {
+    const std::string text = print(
+        test::scene_of(std::string("normal = \"k0 | (k1 - c1)\"\n") + ratio, "kd", "m"), {});
+    for (const char* expected :
+         {"with even and odd powers of s = i*omega separated, and Z = kd - m*omega^2:",
+          "    P_1 = k0*k1 + g*k1*Z + i*omega*(c1*k0 + c1*k1 + g*c1*Z)\n",
+          "    P_2 = k1 + i*omega*c1\n", "    B = -mu0*du_z*P_1/(P_2*Z)\n",
+          "    v* = mu0*omega*du_z*abs(P_1)/(abs(P_2)*abs(Z))\n"})
+      BOOST_TEST((text.find(expected) != std::string::npos), text);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(json_has_the_promised_parts) {

@@ -69,6 +69,18 @@ BOOST_AUTO_TEST_CASE(the_network_has_the_stiffness) {
   BOOST_TEST(is("c1*s + 1/(1/k1 + 1/(c1*s))", c1 * s + 1. / (1 / k1 + 1. / (c1 * s))));
   BOOST_TEST(is("k0 + k1*tau*s/(1 + tau*s) + r*k1*c1*s/(k0 + c1*s)",
                 k0 + k1 * tau * s / (1. + tau * s) + r * k1 * c1 * s / (k0 + c1 * s)));
+  // Kelvin elements one behind the other: in K(s) a difference would be squared, in 1/K(s) there is
+  // none. Then with a spring, with a damper, three of them with both, and as one quotient.
+  const Complex first = k0 + c1 * s, second = k1 + r * c1 * s, third = k1 + k0 * tau * s;
+  BOOST_TEST(is("1/(1/(k0 + c1*s) + 1/(k1 + r*c1*s))", 1. / (1. / first + 1. / second)));
+  BOOST_TEST(is("(k0 + c1*s)*(k1 + r*c1*s)/((k0 + k1) + (c1 + r*c1)*s)",
+                1. / (1. / first + 1. / second)));
+  BOOST_TEST(is("1/(1/k1 + 1/(k0 + c1*s) + 1/(k1 + r*c1*s))",
+                1. / (1. / k1 + 1. / first + 1. / second)));
+  BOOST_TEST(is("1/(1/(c1*s) + 1/(k0 + c1*s) + 1/(k1 + r*c1*s))",
+                1. / (1. / (c1 * s) + 1. / first + 1. / second)));
+  BOOST_TEST(is("1/(1/k0 + 1/(c1*s) + 1/(k0 + c1*s) + 1/(k1 + r*c1*s) + 1/(k1 + k0*tau*s))",
+                1. / (1. / k0 + 1. / (c1 * s) + 1. / first + 1. / second + 1. / third)));
   // Numbers alone in an element: in SI units, of a pole as well.
   BOOST_TEST(is("8e6 + k1*s/(s + 1e5)", 8e6 + k1 * s / (s + 1e5)));
 }
@@ -90,6 +102,9 @@ BOOST_AUTO_TEST_CASE(it_is_a_network_of_the_names) {
   BOOST_TEST(!made.values().contains({"k0_pad"}));
   BOOST_TEST(velocity(made.with({{{"k1"}, 1e6}})) == velocity(written({{"k1", "1e6"}})));
   BOOST_TEST(velocity(made.with({{{"c1"}, 55.5}})) == velocity(written({{"c1", "55.5"}})));
+  // Elements in series are those that were typed in.
+  BOOST_TEST(velocity(problem("1/(1/(k0 + c1*s) + 1/(k1 + r*c1*s))", numbers)) ==
+             velocity(problem("k0", numbers + "c2 = \"r*c1\"\n", "(k0 | c1) - (k1 | c2)")));
   // A spring of value 0 is left out, with its damper.
   BOOST_TEST(velocity(problem("k0 + k1*tau*s/(1 + tau*s)", numbers, "pad", {{"k1", "0"}})) ==
              velocity(problem("k0", numbers)));
@@ -128,6 +143,9 @@ BOOST_AUTO_TEST_CASE(what_is_not_passive_at_all_values_is_refused_with_the_reaso
   BOOST_TEST(said("k/(1 + a*s + b*s^2)", "the factor s^2*b + s*a + 1 of its denominator, whose"));
   BOOST_TEST(said("k0 + k*s/(1 + tau*s)^2", "the factor s*tau + 1 of its denominator, 2 times"));
   BOOST_TEST(said("k/s", "a pole at s = 0"));
+  // In series as in parallel: one Kelvin element less another.
+  BOOST_TEST(said("1/(1/(k1 + c1*s) - 1/(k2 + c2*s))", ""));
+  BOOST_TEST(said("k*s^2/(c1 + tau*s)", ""));
   BOOST_TEST(said("k + m*s^2", "K(s) that grows as s^2"));
   BOOST_TEST(said("k - k", "K(s) = 0"));
 }

@@ -1,0 +1,109 @@
+// g = K_n/K_t and Z = k_d - m omega^2 in limits, asymptotes and conditions of resonance: what an
+// expert writes, by hand from (24), |K_n + g (K_d - m omega^2)|/|K_d - m omega^2|.
+#include <boost/test/unit_test.hpp>
+
+#include "analysis/abbreviations.hpp"
+#include "analysis/asymptotes.hpp"
+#include "analysis/limits.hpp"
+#include "analysis/resonance.hpp"
+#include "derivation/scenes.hpp"
+#include "derivation/values.hpp"
+#include "formula/text.hpp"
+#include "formula/value.hpp"
+
+BOOST_AUTO_TEST_SUITE(test_abbreviations)
+
+using namespace vcrit;
+using namespace vcrit::symbolic;
+using test::scene_of;
+using Texts = std::vector<std::string>;
+
+namespace {
+
+Texts lines(const std::vector<Line>& of) {
+  Texts result;
+  for (const Line& line : of) result.push_back(to_text(line.left) + " = " + to_text(line.right));
+  return result;
+}
+
+/// Names that are used, then the limits.
+Texts limits_of(const Scene& scene) {
+  const Derivation derivation = derive(scene);
+  const Abbreviations names = abbreviations(derivation);
+  std::vector<GiNaC::ex> shown;
+  Texts result;
+  for (const Limit& limit : limits(derivation, names)) {
+    shown.push_back(limit.shown);
+    result.push_back(limit.name + ": " + to_text(limit.shown));
+  }
+  Texts all = lines(names.used_by(shown));
+  all.insert(all.end(), result.begin(), result.end());
+  return all;
+}
+
+const std::string zener = "normal = \"k0 | (k1 - c1)\"\n";
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(limits_have_the_ratio_and_the_stiffness_by_name) {
+  const std::string front = "mu0*omega*du_z*";
+  const Texts expected{
+      "Z = kd - m*omega^2",
+      "kd -> infinity: " + front + "g",
+      "m -> 0: " + front +
+          "sqrt((k1^2*(k0 + g*kd)^2 + c1^2*omega^2*(k0 + k1 + g*kd)^2)/(k1^2 + c1^2*omega^2))/kd",
+      "k1 -> 0: " + front + "abs(k0 + g*Z)/abs(Z)",
+      "k1 -> infinity: " + front + "sqrt((k0 + g*Z)^2 + c1^2*omega^2)/abs(Z)",
+      "c1 -> 0: " + front + "abs(k0 + g*Z)/abs(Z)",
+      "c1 -> infinity: " + front + "abs(k0 + k1 + g*Z)/abs(Z)",
+      "c1 -> 0, kd -> infinity: " + front + "g"};
+  for (const auto& [ratio, meaning] : {std::pair("poisson = 0.3", "g = 17/14"),
+                                       {"poisson = \"nu\"", "g = (2 - nu)/(2*(1 - nu))"},
+                                       {"tangential_ratio = 0.8", "g = 5/4"}}) {
+    Texts with_ratio = expected;
+    with_ratio.insert(with_ratio.begin(), meaning);
+    BOOST_TEST(limits_of(scene_of(zener + ratio, "kd", "m")) == with_ratio,
+               boost::test_tools::per_element());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(names_that_say_nothing_are_left_out) {
+  const auto names = [](const Scene& scene) {
+    const Abbreviations found = abbreviations(derive(scene));
+    return std::pair(found.ratio.has_value(), found.stiffness.has_value());
+  };
+  // K_t = K_n, a ratio with a name, a tangential network; no drive, no mass, two springs.
+  BOOST_TEST((names(scene_of(zener + "tangential_ratio = 1", "kd", "m")) == std::pair(false, true)));
+  BOOST_TEST((names(scene_of(zener + "tangential_ratio = \"r\"", "kd")) == std::pair(false, false)));
+  BOOST_TEST((names(scene_of(zener + "tangential = \"kt\"", "kd", "m")) == std::pair(false, true)));
+  BOOST_TEST((names(scene_of(zener + "poisson = 0.3")) == std::pair(false, false)));
+  BOOST_TEST((names(scene_of(zener + "poisson = 0.3", "kd - ks", "m")) == std::pair(true, false)));
+}
+
+BOOST_AUTO_TEST_CASE(asymptotes_have_the_ratio_by_name) {
+  const Derivation derivation = derive(scene_of(zener + "poisson = 0.3", "kd", "m"));
+  const auto found = asymptotes(derivation, abbreviations(derivation));
+  BOOST_TEST(to_text(found.at(0).coefficient) == "mu0*du_z*(k0 + g*kd)/kd");
+  BOOST_TEST(to_text(found.at(1).coefficient) == "mu0*du_z*g");
+  // Without names they are numbers, as JSON has them.
+  BOOST_TEST(to_text(asymptotes(derivation).at(1).coefficient) == "17/14*mu0*du_z");
+}
+
+// K_n + g Z = 0 with K_n = k0 + k1 i w c1/(k1 + i w c1), times |k1 + i w c1|^2.
+BOOST_AUTO_TEST_CASE(conditions_of_resonance_have_both) {
+  const Derivation derivation = derive(scene_of(zener + "poisson = 0.3", "kd", "m"));
+  const auto found = resonances(derivation, abbreviations(derivation));
+  BOOST_TEST_REQUIRE(found.size() == 2U);
+  BOOST_TEST(to_text(found[0].condition) == "K_d - m*omega^2");
+  BOOST_TEST(to_text(found[1].condition) == "K_n + g*(K_d - m*omega^2)");
+  BOOST_TEST_REQUIRE(found[1].parts.has_value());
+  const GiNaC::ex k0 = symbol({"k0"}), k1 = symbol({"k1"}), c1 = symbol({"c1"}),
+                  g = positive_quantity("g"), Z = real_quantity("Z");
+  const GiNaC::ex turn = GiNaC::pow(omega() * c1, 2);
+  BOOST_TEST((found[1].parts->real - k1 * k1 * (k0 + g * Z) - turn * (k0 + k1 + g * Z))
+                 .expand()
+                 .is_zero());
+  BOOST_TEST(to_text(found[1].parts->imaginary) == "omega*c1*k1^2");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
