@@ -42,8 +42,8 @@ std::array<Node, nodes> all_nodes() {
   return result;
 }
 
-struct Panel {
-  Panel(double from, double to) : low(from), high(to) {}
+struct SummedPanel {
+  SummedPanel(double from, double to) : low(from), high(to) {}
 
   double low, high;  // m
   double friction = 0, normal_force = 0;
@@ -64,7 +64,7 @@ class Quadrature {
       : half_space_(half_space), velocity_(velocity), nodes_(all_nodes()) {}
 
   Integrals run(const std::vector<double>& breaks, double tolerance) {
-    std::vector<Panel> fresh;
+    std::vector<SummedPanel> fresh;
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
       fresh.emplace_back(breaks[i], breaks[i + 1]);
     while (true) {
@@ -77,7 +77,7 @@ class Quadrature {
   }
 
  private:
-  void evaluate(const std::vector<Panel>& fresh) {
+  void evaluate(const std::vector<SummedPanel>& fresh) {
     std::vector<CellFriction> cells(fresh.size() * nodes);
     tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t i) {
       cells[i] = cell_friction(half_space_, fresh[i / nodes].x(nodes_[i % nodes].place), velocity_);
@@ -88,10 +88,10 @@ class Quadrature {
     }
     cells_ += static_cast<int>(cells.size());
     std::sort(panels_.begin(), panels_.end(),
-              [](const Panel& a, const Panel& b) { return a.low < b.low; });
+              [](const SummedPanel& a, const SummedPanel& b) { return a.low < b.low; });
   }
 
-  void add(const Node& node, const CellFriction& cell, Panel& panel) {
+  void add(const Node& node, const CellFriction& cell, SummedPanel& panel) {
     const double force = panel.slope(node.place) * cell.normal_force;
     const double friction = force * cell.ratio;
     panel.friction += node.kronrod * friction;
@@ -105,14 +105,14 @@ class Quadrature {
 
   Integrals summed() const {
     Integrals sum;
-    for (const Panel& panel : panels_) {
+    for (const SummedPanel& panel : panels_) {
       sum.friction += panel.friction;
       sum.normal_force += panel.normal_force;
       sum.normal_force_error += panel.normal_force_error();
       sum.cell_error += panel.cell_error;
     }
     const double ratio = sum.friction / sum.normal_force;
-    for (const Panel& panel : panels_) sum.ratio_error += panel.ratio_error(ratio);
+    for (const SummedPanel& panel : panels_) sum.ratio_error += panel.ratio_error(ratio);
     sum.ratio_error /= sum.normal_force;
     sum.disagreement = disagreement_;
     sum.motions = motions_;
@@ -125,11 +125,11 @@ class Quadrature {
   }
 
   // Takes out panels with more than their share of the error and returns their halves.
-  std::vector<Panel> split(const Integrals& sum, double tolerance) {
+  std::vector<SummedPanel> split(const Integrals& sum, double tolerance) {
     const double ratio = sum.friction / sum.normal_force;
     const double share = tolerance * sum.normal_force / static_cast<double>(panels_.size());
-    std::vector<Panel> kept, halves;
-    for (const Panel& panel : panels_) {
+    std::vector<SummedPanel> kept, halves;
+    for (const SummedPanel& panel : panels_) {
       const double error = std::max(panel.ratio_error(ratio), panel.normal_force_error());
       const double least = std::max(panel.cell_error, force_rounding * panel.normal_force);
       const double middle = 0.5 * (panel.low + panel.high);
@@ -147,7 +147,7 @@ class Quadrature {
   const HalfSpace& half_space_;
   double velocity_;
   std::array<Node, nodes> nodes_;
-  std::vector<Panel> panels_;  // by place
+  std::vector<SummedPanel> panels_;  // by place
   int cells_ = 0;
   double disagreement_ = 0;
   Motions motions_;

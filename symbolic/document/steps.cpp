@@ -73,7 +73,7 @@ Prose words_of(const Statement& at, const Abbreviations& names, const NamedAmpli
   return words;
 }
 
-int operations_of(const NamedAmplitude& named) {
+int size_of_amplitude(const NamedAmplitude& named) {
   int sum = printed_operations(named.product.value());
   for (const Equation& each : named.polynomials) sum += operations_in(each.right.form);
   return sum;
@@ -96,14 +96,11 @@ std::vector<DocumentBlock> root_steps(const Derivation& derivation, const Abbrev
       [&](const Change& change) {
         return named_amplitude(model.multiplied_out_amplitude(change).value());
       },
-      operations_of);
+      size_of_amplitude);
   if (named.polynomials.empty()) return {};
   const ex product = named.product.value().subs(laplace() == GiNaC::I * omega());
   named.polynomials.push_back({form_of(quantity("B")).form, form_of(product), {}});
-  return {{words_of(at, names, named),
-           {},
-           false,
-           named.polynomials},
+  return {{words_of(at, names, named), {}, false, named.polynomials},
           {{"The absolute value of a product is the product of absolute values, and ",
             stated(absolute.left, absolute.right), " for real ", a, " and ", b},
            {{"", v, omega() * named.product.modulus()}}}};
