@@ -64,7 +64,7 @@ class EventFunction {
   double value_, size_;
   Effort* effort_;
   Vector singles_;
-  List<PairNumber, 1> pairs_;
+  List<PairNumber, usual_pairs> pairs_;
   PairNumber sinusoid_;
 
   Factors here_;  ///< of the present point

@@ -26,17 +26,25 @@ LinearSolver::LinearSolver(Matrix a, ConstView sizes)
     largest = std::max(largest, here);
     if (!(here > static_cast<double>(n_) * epsilon * largest)) return;
     rank_ = k + 1;
-    for (Index i = k + 1; i < n_; ++i) lu_(i, k) /= lu_(k, k);
-    for (Index j = k + 1; j < n_; ++j)
-      for (Index i = k + 1; i < n_; ++i) lu_(i, j) -= lu_(i, k) * lu_(k, j);
+    const View under = lu_.column(k).subspan(k);
+    for (Index i = 1; i < under.size(); ++i) under[i] /= under[0];
+    for (Index j = k + 1; j < n_; ++j) {
+      const View right = lu_.column(j).subspan(k);
+      const double factor = right[0];
+      for (Index i = 1; i < right.size(); ++i) right[i] -= under[i] * factor;
+    }
   }
 }
 
 void LinearSolver::pivot(Index k) {
   Index row = k, column = k;
-  for (Index j = k; j < n_; ++j)
+  double largest = std::abs(lu_(k, k));
+  for (Index j = k; j < n_; ++j) {
+    const ConstView here = std::as_const(lu_).column(j);
     for (Index i = k; i < n_; ++i)
-      if (std::abs(lu_(i, j)) > std::abs(lu_(row, column))) row = i, column = j;
+      if (const double size = std::abs(here[i]); size > largest)
+        largest = size, row = i, column = j;
+  }
   for (Index j = 0; row != k && j < n_; ++j) std::swap(lu_(k, j), lu_(row, j));
   for (Index i = 0; column != k && i < n_; ++i) std::swap(lu_(i, k), lu_(i, column));
   std::swap(row_[k], row_[row]);

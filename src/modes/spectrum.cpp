@@ -21,6 +21,28 @@ Factors::Factors(const Spectrum& spectrum, double duration) : duration_(duration
     pairs_.push_back(integrals(pair.exponent, pair.receptance, pair.rate, duration));
 }
 
+Factors::Passed Factors::passed(ConstMatrixView z) const {
+  const Index n = z.rows;
+  Passed result(n, z.columns);
+  for (Index j = 0; j < z.columns; ++j) {
+    const double* from = z.column(j).data();
+    double* to = result.numbers_.data() + 3 * n * j;
+    for (const Integrals<double>& single : singles_) {
+      for (Index k = 0; k < 3; ++k) to[k * n] = *from * single[k];
+      ++from, ++to;
+    }
+    for (const Integrals<PairNumber>& pair : pairs_) {
+      const PairNumber start{from[0], from[1], pair[0].q};
+      for (Index k = 0; k < 3; ++k) {
+        const PairNumber number = start * pair[k];
+        to[k * n] = number.a, to[k * n + 1] = number.b;
+      }
+      from += 2, to += 2;
+    }
+  }
+  return result;
+}
+
 Modes uncoupled(const Vector& rates) {
   return {{rates, {}}, identity(rates.size()), identity(rates.size())};
 }

@@ -29,7 +29,7 @@ struct ModePair {
 /// weight y + x sigma.
 struct Spectrum {
   Vector rates;
-  List<ModePair, 1> pairs;
+  List<ModePair, usual_pairs> pairs;
 
   Index singles() const { return rates.size(); }
   Index size() const { return singles() + 2 * pairs.size(); }
@@ -53,29 +53,34 @@ class Factors {
   const Integrals<PairNumber>& pair(Index i) const { return pairs_[i]; }
   const Integrals<PairNumber>& turn() const { return turn_; }
 
-  /// For each modal coordinate and its integrals: use(i, {z_i, once, twice}) after the duration.
-  template <class Use>
-  void apply(ConstView z, const Use& use) const {
-    const Index n = singles_.size();
-    for (Index i = 0; i < n; ++i)
-      use(i,
-          Integrals<double>{z[i] * singles_[i][0], z[i] * singles_[i][1], z[i] * singles_[i][2]});
-    const auto apply_pair = [&](Index i, const Integrals<PairNumber>& pair) {
-      const PairNumber start{z[i], z[i + 1], pair[0].q};
-      const PairNumber none = start * pair[0], once = start * pair[1], twice = start * pair[2];
-      use(i, Integrals<double>{none.a, once.a, twice.a});
-      use(i + 1, Integrals<double>{none.b, once.b, twice.b});
-    };
-    // Most have one, or none: taken for itself, it costs a tenth less than in the loop.
-    if (pairs_.empty()) return;
-    apply_pair(n, pairs_.front());
-    for (Index p = 1; p < pairs_.size(); ++p) [[unlikely]] apply_pair(n + 2 * p, pairs_[p]);
-  }
+  /// Modal coordinates that begin as z, column by column: after the duration, and integrated over
+  /// it once and twice.
+  class Passed {
+   public:
+    Passed(Index rows, Index columns)
+        : rows_(rows),
+          columns_(columns),
+          numbers_(3 * rows * columns, boost::container::default_init) {}
+
+    ConstMatrixView now() const { return times(0); }
+    ConstMatrixView once() const { return times(1); }
+    ConstMatrixView twice() const { return times(2); }
+
+   private:
+    friend Factors;
+    ConstMatrixView times(Index integrals) const {
+      return {numbers_.data() + integrals * rows_, rows_, columns_, 3 * rows_};
+    }
+
+    Index rows_, columns_;
+    List<double, 3 * usual_states * usual_states> numbers_;
+  };
+  Passed passed(ConstMatrixView z) const;
 
  private:
   double duration_ = 0;
   List<Integrals<double>> singles_;
-  List<Integrals<PairNumber>, 1> pairs_;
+  List<Integrals<PairNumber>, usual_pairs> pairs_;
   Integrals<PairNumber> turn_;
 };
 

@@ -299,10 +299,16 @@ class SteadyCycleSearch {
         model_.opening ? 0 : 2 * epsilon * model_.creep / model_.threshold * model_.amplitude;
     const double sum = epsilon + creeping + change + rounding + more + now.trace.unlawful +
                        model_.bound_error() + model_.merging;
+    return {std::move(now.trace), ratio, at_most(sum, ratio), traced_};
+  }
+
+  // No error is larger than what friction may be off at all, which takes a response of the drive.
+  double at_most(double error, double ratio) const {
+    const double range = model_.opening ? 1 : model_.amplitude, from_full = std::abs(1 - ratio);
+    if (error < std::min(range, from_full)) return error;
     const double missing = most_missing_friction(model_, velocity_);
-    const double most = std::min(model_.opening ? 1 : model_.amplitude,
-                                 std::max(std::abs(1 - ratio), std::abs(ratio - 1 + missing)));
-    return {std::move(now.trace), ratio, sum < most ? sum : most, traced_};
+    const double most = std::min(range, std::max(from_full, std::abs(ratio - 1 + missing)));
+    return error < most ? error : most;
   }
 
   const Model& model_;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <new>
 
+#include "simulation/chains.hpp"
 #include "simulation/random_systems.hpp"
 #include "simulation/steady/answers.hpp"
 #include "simulation/steady/steady_cycle.hpp"
@@ -89,6 +90,22 @@ BOOST_AUTO_TEST_CASE(speeds_of_a_curve) {
     run(101, 99);
     BOOST_TEST(test::heap_requests([&] { run(99, 2); }) == 0);
   }
+}
+
+// A pair of modes for each mass.
+BOOST_AUTO_TEST_CASE(speeds_of_drives_with_masses) {
+  int found = 0;
+  for (const reference::Chain& chain : reference::chains()) {
+    if (chain.group != "two" && chain.group != "three") continue;
+    Answers answers(system_of(Problem(chain.scene)));
+    const auto run = [&](int first, int last) {
+      for (int j = first; j > last; --j) answers.next(0.01 * j * chain.critical_velocity);
+    };
+    run(101, 99);
+    BOOST_TEST(test::heap_requests([&] { run(99, 2); }) == 0, chain.id);
+    ++found;
+  }
+  BOOST_TEST(found > 20);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
