@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "answers/critical_onset.hpp"
+#include "answers/realised_friction.hpp"
 #include "base/rounded.hpp"
 #include "commands.hpp"
 #include "critical/conditioning.hpp"
@@ -30,13 +31,14 @@ struct CriticalComparison {
   std::optional<double> stick_onset = {};
   std::string missing = {};     // why there is no stick onset
   double uncertainty = 0;       // to either side of it: what rounding leaves open
+  double of_fit = 0;              // relative, of v* by a structure fitted to a measured drive's table
   int cells = 0, answered = 0;  // below an indenter: asked for it, and those with a steady state
   std::vector<std::string> warnings = {};
 
   double difference(double value) const {
     return formula == value ? 0 : std::abs(value - formula) / formula;
   }
-  double tolerance() const { return motion_tolerance(condition); }
+  double tolerance() const { return motion_tolerance(condition) + of_fit; }
   double stick_tolerance() const { return tolerance() + uncertainty / formula; }
   double sliding_difference() const {
     return sliding_from == simulated ? 0 : std::abs(simulated - sliding_from) / sliding_from;
@@ -54,6 +56,7 @@ struct CriticalComparison {
     f("relative_difference", it.sliding_difference())("stick_onset", it.stick_onset);
     f("stick_onset_difference", stick_difference);
     f("tolerance", it.tolerance())("agree", it.agrees());
+    f.when(it.of_fit > 0, "realisation_difference", it.of_fit);
     if (it.answered < it.cells)
       f.group("stick_onset_cells", [&](record::Fields& cells) {
         cells("asked", it.cells)("with_steady_state", it.answered);
@@ -116,6 +119,8 @@ CriticalComparison of_one_contact(const Problem& problem) {
   CriticalComparison result{formula, condition,
                             simulation::sliding_threshold(system).contact_velocity};
   result.sliding_from = formula * sliding_share(free_harmonics(problem));
+  if (problem->receptance() != nullptr)
+    result.of_fit = realised_velocity(problem).difference / formula;
   try {
     const simulation::Onset last = simulation::stick_onset(system);
     result.stick_onset = last.contact_velocity;
@@ -156,6 +161,9 @@ void print_critical_text(const CriticalComparison& c, int digits) {
                              : "the stick-slip motion from rest sticks up to here (independent)");
   else
     print_row("stick onset", "not found: " + c.missing);
+  if (c.of_fit > 0)
+    print_row("drive", fmt::format("a structure fitted to the table, by which v* may be off by {:.2g}",
+                                   c.of_fit));
   if (c.answered < c.cells)
     print_row("", fmt::format("{} of {} cells have a steady state", c.answered, c.cells));
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "answers/realised_friction.hpp"
 #include "answers/slope.hpp"
 #include "base/constants.hpp"
 #include "base/free_swings.hpp"
@@ -94,6 +95,7 @@ simulation::Onset sliding_threshold(const Problem& problem) {
   return simulation::sliding_threshold(simulation::system_of(problem));
 }
 
+// As quickly as it is found: below a measured drive without the error of the fit.
 CriticalOnset by_simulation(const Problem& problem) {
   const simulation::Onset onset = sliding_threshold(problem);
   const bool by_phase = problem->indenter && !problem->rigid();
@@ -107,6 +109,10 @@ CriticalOnset by_simulation(const Problem& problem) {
   if (std::isfinite(onset.contact_velocity))
     result.relative_error = onset.uncertainty / onset.contact_velocity;
   return result;
+}
+
+CriticalOnset found_onset(const Problem& problem) {
+  return holds_formula(problem) ? by_formula(problem) : by_simulation(problem);
 }
 
 // Digits of a simulated v* where its own estimate says nothing; a relative slope with an error
@@ -125,7 +131,7 @@ double simulated_log_derivative(const Problem& problem, const Symbol& symbol) {
   const auto log_velocity = [&](double logarithm) -> std::optional<double> {
     const double changed = value * std::exp(logarithm);
     try {
-      return std::log(critical_onset(changing.at({&changed, 1})).contact_velocity);
+      return std::log(found_onset(changing.at({&changed, 1})).contact_velocity);
     } catch (const ModelError&) {
       return std::nullopt;
     }
@@ -185,7 +191,11 @@ double sliding_share(const std::vector<int>& free_harmonics) {
 }
 
 CriticalOnset critical_onset(const Problem& problem) {
-  return holds_formula(problem) ? by_formula(problem) : by_simulation(problem);
+  CriticalOnset onset = found_onset(problem);
+  if (onset.by == CriticalOnset::By::simulation && problem->receptance() != nullptr &&
+      std::isfinite(onset.contact_velocity))
+    onset.relative_error += realised_velocity(problem).difference / onset.contact_velocity;
+  return onset;
 }
 
 CertifiedVelocity certified_onset(const Problem& problem) {

@@ -23,7 +23,9 @@ struct CriticalOnset {
   /// is not known; else v*.
   double sliding_from = 0;
   std::vector<int> free_harmonics = {};  ///< these n, increasing
-  double relative_error = 0;  ///< of a v* that is not Eq. (24): an estimate of what rounding takes
+  /// Of a v* that is not Eq. (24): an estimate of what rounding takes, and below a measured drive of
+  /// what the structure fitted to its table may be off.
+  double relative_error = 0;
 };
 
 /// "formula", "maximum over the phase", "simulation": names that stay the same, for programs.

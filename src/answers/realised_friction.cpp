@@ -7,11 +7,14 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "realisation/realisation.hpp"
 #include "simulation/steady/exact.hpp"
+#include "simulation/steady/onset.hpp"
 #include "simulation/system/measured_drive.hpp"
 
 namespace vcrit {
@@ -29,25 +32,35 @@ constexpr int harmonics = 8;
 constexpr double mode_change = 1e-4;
 constexpr double added_damping = 0.05;
 
-/// The friction ratio at one speed with structures in place of the table.
-class Ratios {
+/// Of the contact alone, without what a structure has in series with it.
+Relaxation contact_of(const Problem& problem) {
+  const ScaledNetwork tangential = tangential_network(problem);
+  return scaled(relaxation_form(tangential.network.network(), problem.values()),
+                tangential.factor);
+}
+
+/// A number of the motion, with structures in place of the table.
+class Asked {
  public:
-  Ratios(const Problem& problem, double velocity)
-      : system_(simulation::system_of(problem)), velocity_(velocity) {
+  using Number = std::function<double(const simulation::System&)>;
+
+  Asked(const Problem& problem, Number number)
+      : system_(simulation::system_of(problem)),
+        contact_(contact_of(problem)),
+        number_(std::move(number)) {
     if (problem->mass) mass_ = problem.value(*problem->mass);
   }
 
-  /// Throws ModelError where no steady state is found.
-  double of_table() const {
-    return simulation::steady_state(system_, velocity_).friction_ratio;
-  }
+  /// Throws ModelError where there is no such motion.
+  double of_table() const { return number_(system_); }
 
-  /// Nothing where no steady state is found.
+  /// Nothing where there is no such motion.
   std::optional<double> with(const Structure& structure) const {
     simulation::System system = system_;
+    system.contact = contact_;
     try {
       simulation::hold_by_structure(system, structure, mass_);
-      return simulation::steady_state(system, velocity_).friction_ratio;
+      return number_(system);
     } catch (const ModelError&) {
       return std::nullopt;
     }
@@ -55,14 +68,27 @@ class Ratios {
 
  private:
   simulation::System system_;
+  Relaxation contact_;
+  Number number_;
   std::optional<double> mass_;
-  double velocity_;
 };
 
-/// d ratio = sum over n of Re(conj(s_n) dR_n), s_n by 16 structures.
+Asked friction_at(const Problem& problem, double velocity) {
+  return {problem, [velocity](const simulation::System& system) {
+            return simulation::steady_state(system, velocity).friction_ratio;
+          }};
+}
+
+Asked sliding_from(const Problem& problem) {
+  return {problem, [](const simulation::System& system) {
+            return simulation::sliding_threshold(system).contact_velocity;
+          }};
+}
+
+/// d number = sum over n of Re(conj(s_n) dR_n), s_n by 16 structures.
 class Sensitivity {
  public:
-  Sensitivity(const Ratios& ratios, const Realisation& realised, double omega, double ratio) {
+  Sensitivity(const Asked& asked, const Realisation& realised, double omega, double number) {
     Eigen::MatrixXd changes(2 * harmonics, 2 * harmonics);
     Eigen::VectorXd moved(2 * harmonics);
     for (int row = 0; row < 2 * harmonics; ++row) {
@@ -75,8 +101,8 @@ class Sensitivity {
         const Complex change = mode.response(m * omega);
         changes(row, 2 * m - 2) = change.real(), changes(row, 2 * m - 1) = change.imag();
       }
-      const auto with = ratios.with(plus_mode(realised.structure(), mode));
-      moved[row] = with ? *with - ratio : std::numeric_limits<double>::infinity();
+      const auto with = asked.with(plus_mode(realised.structure(), mode));
+      moved[row] = with ? *with - number : std::numeric_limits<double>::infinity();
     }
     if (moved.allFinite()) slope_ = changes.partialPivLu().solve(moved);
   }
@@ -91,18 +117,18 @@ class Sensitivity {
   std::optional<Eigen::VectorXd> slope_;
 };
 
-/// By how much structures that fit as well change the ratio.
+/// By how much structures that fit as well change the number.
 struct Spread {
   double greatest = 0, deviation = 0;  ///< deviation: the root of the mean of squares
 };
 
-Spread spread_of(const Ratios& ratios, const std::vector<Structure>& structures, double ratio) {
+Spread spread_of(const Asked& asked, const std::vector<Structure>& structures, double number) {
   double squares = 0, greatest = 0;
   int count = 0;
   for (const Structure& each : structures)
-    if (const auto with = ratios.with(each)) {
-      greatest = std::max(greatest, std::abs(*with - ratio));
-      squares += (*with - ratio) * (*with - ratio);
+    if (const auto with = asked.with(each)) {
+      greatest = std::max(greatest, std::abs(*with - number));
+      squares += (*with - number) * (*with - number);
       ++count;
     }
   return {greatest, std::sqrt(squares / std::max(count, 1))};
@@ -110,32 +136,30 @@ Spread spread_of(const Ratios& ratios, const std::vector<Structure>& structures,
 
 /// By modes at the harmonics that the rows do not show, one at each: a drive may have all of them.
 /// To first order where no fit with one is found.
-double change_by_hidden_mode(const Ratios& ratios, const Realisation& realised, double omega,
-                             double ratio, const Sensitivity& sensitivity) {
+double change_by_hidden_mode(const Asked& asked, const Realisation& realised, double omega,
+                             double number, const Sensitivity& sensitivity) {
   double sum = 0;
   for (int n = 1; n <= harmonics; ++n) {
     const auto structure = realised.with_hidden_mode(n * omega);
-    const auto with = structure ? ratios.with(*structure) : std::nullopt;
-    sum += with ? std::abs(*with - ratio)
+    const auto with = structure ? asked.with(*structure) : std::nullopt;
+    sum += with ? std::abs(*with - number)
                 : sensitivity.at(n) * realised.deviation(n * omega).hidden;
   }
   return sum;
 }
 
 // Found on the 82 chains of tests/data/two_mass_chains.csv, each as four tables (docs/simulation.md).
-double error_of_ratio(const Ratios& ratios, const Realisation& realised, double omega,
-                      double ratio) {
+double error_by_fit(const Asked& asked, const Realisation& realised, double omega, double number) {
   constexpr double of_rivals = 2, of_noise = 4, of_misfit = 0.125;
-  const Sensitivity sensitivity(ratios, realised, omega, ratio);
+  const Sensitivity sensitivity(asked, realised, omega, number);
   double misfit = 0;
   for (int n = 1; n <= harmonics; ++n)
     misfit += sensitivity.at(n) * realised.deviation(n * omega).misfit;
-  const double error =
-      of_rivals * spread_of(ratios, realised.rivals(), ratio).greatest +
-      of_noise * spread_of(ratios, realised.refits(), ratio).deviation + of_misfit * misfit +
-      change_by_hidden_mode(ratios, realised, omega, ratio, sensitivity);
-  // More than that it cannot be off.
-  return std::min(realised.caution() * error, std::max(ratio, 1 - ratio));
+  const double error = of_rivals * spread_of(asked, realised.rivals(), number).greatest +
+                       of_noise * spread_of(asked, realised.refits(), number).deviation +
+                       of_misfit * misfit +
+                       change_by_hidden_mode(asked, realised, omega, number, sensitivity);
+  return realised.caution() * error;
 }
 
 realisation::Body body_of(const Problem& problem) {
@@ -164,18 +188,29 @@ RealisedVelocity realised_velocity(const Problem& problem) {
   const Receptance& table = *problem->receptance();
   const auto realised = realisation::realised(table, body_of(problem));
   const simulation::System system = simulation::system_of(problem);
-  // The lead of a structure is in series with the contact of the system, if there is no body.
-  const ScaledNetwork tangential = tangential_network(problem);
   const double omega = system.omega, mass = problem->mass ? problem.value(*problem->mass) : 0;
-  const Complex contact = dynamic_stiffness(
-      scaled(relaxation_form(tangential.network.network(), problem.values()), tangential.factor),
-      omega);
+  if (system.opening) {
+    const Asked asked = sliding_from(problem);
+    const double value = asked.of_table();
+    return {value, std::isfinite(value) ? error_by_fit(asked, *realised, omega, value) : 0};
+  }
+  const Complex contact = dynamic_stiffness(contact_of(problem), omega);
   const Complex r = realised->response(omega), free = 1.0 - mass * omega * omega * r;
   const double unit = system.friction * omega * std::abs(system.normal_force_amplitude);
   const double off =
       realised->error(omega) + std::abs(r - between_rows(*realised, table, omega));
   return {unit * std::abs(1.0 / contact + r / free), unit * off / std::norm(free)};
 }
+
+namespace {
+
+double realised_threshold(const Problem& problem) {
+  const simulation::System system = simulation::system_of(problem);
+  return system.opening ? simulation::sliding_threshold(system).contact_velocity
+                        : realised_velocity(problem).value;
+}
+
+}  // namespace
 
 RealisedFriction realised_friction(const Problem& problem, double velocity) {
   const Receptance& table = *problem->receptance();
@@ -185,13 +220,16 @@ RealisedFriction realised_friction(const Problem& problem, double velocity) {
                          .misfit = realised->misfit(),
                          .misfit_at_omega =
                              realised->error(omega) / std::abs(realised->response(omega)),
-                         .critical_velocity = realised_velocity(problem).value,
+                         .critical_velocity = realised_threshold(problem),
                          .outside = {},
                          .warnings = realised->warnings()};
   for (int n = 1; n <= harmonics; ++n)
     if (realised->outside(n * omega)) found.outside.push_back(n);
-  const Ratios ratios(problem, velocity);
-  found.error = error_of_ratio(ratios, *realised, omega, ratios.of_table());
+  const Asked asked = friction_at(problem, velocity);
+  const double ratio = asked.of_table();
+  // More than that it cannot be off.
+  found.error =
+      std::min(error_by_fit(asked, *realised, omega, ratio), std::max(ratio, 1 - ratio));
   if (!found.outside.empty()) found.warnings.push_back(range_words(found, omega, table));
   return found;
 }

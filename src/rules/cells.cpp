@@ -14,13 +14,6 @@ constexpr Cell refused(const char* reason, const char* advice = "") {
 constexpr Cell left_out(const char* reason) { return {Ruling::left_out, reason}; }
 constexpr Cell yes{Ruling::yes};
 
-constexpr Cell measured_opening = refused(
-    "below a measured drive no contact that opens (separation = true) is simulated: its force has all "
-    "harmonics, and beyond the table the response is an extrapolation",
-    "leave out separation = true, or give the drive as a network");
-constexpr Cell measured_comparison = refused(
-    "this drive is a measured receptance: a simulated v* would rest on the structure fitted to it",
-    "vcrit eval has v* by the table, and vcrit simulate friction with the fit's error");
 constexpr Cell lossy_motion =
     refused("lossy(k, eta) is not causal: K = k (1 + i eta) at one frequency is no law of motion");
 constexpr Cell lossy_law = refused(no_law, no_law_advice);
@@ -107,8 +100,6 @@ constexpr Cell memory = left_out(
 constexpr Cell open_then = left_out("the contact is open where the indentation grows fastest");
 constexpr Cell table_alone = left_out("v* is known at the frequencies of a table alone");
 constexpr Cell one_frequency = left_out("lossy(k, eta) is known at one frequency at a time");
-constexpr Cell opens_measured =
-    left_out("below a measured drive no contact that opens is simulated");
 constexpr Cell not_causal =
     left_out("lossy(k, eta) is not causal: K = k (1 + i eta) at one frequency is no law of motion");
 constexpr Cell closed_alone = left_out("of a closed contact alone");
@@ -151,7 +142,7 @@ struct Row {
 //   measured, masses, lossy | indenter, none | separating, without memory, with memory
 //   no load, below indenter, no friction, no indentation, tapping, never closing
 //   (3), deep | (4), below indenter | opening with memory, open where steepest
-//   sinking, and opening, measured and separating | mount, separating, with mass
+//   sinking, and opening | mount, separating, with mass
 //   indenter on a drive that gives, viscoelastic | measured contact
 constexpr Cell y = yes;
 // clang-format off
@@ -160,7 +151,7 @@ constexpr std::array<Row, questions> table{{
      {y, y, y, y, y, y, y, y,
       no_load, no_load, y, no_indentation, y, never_closes,
       too_large, y, opens_closed, opens_all_over, y, y,
-      y, sinks_opening, y,
+      y, sinks_opening,
       y, mounted, reacting,
       y, y,
       y}},
@@ -168,7 +159,7 @@ constexpr std::array<Row, questions> table{{
      {y, y, y, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, memory, open_then,
-      y, sinks_as_it_opens, y,
+      y, sinks_as_it_opens,
       y, mounted_then, mounted_then,
       by_phase, by_phase,
       y}},
@@ -176,7 +167,7 @@ constexpr std::array<Row, questions> table{{
      {y, y, y, y, y, y, y, memory,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, y,
+      y, y,
       y, mounted_then, mounted_then,
       by_phase, by_phase,
       y}},
@@ -184,7 +175,7 @@ constexpr std::array<Row, questions> table{{
      {y, y, y, y, y, y, no_symbols, no_symbols,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, y,
+      y, y,
       y, no_symbols, no_symbols,
       no_formula, no_formula,
       measured_symbols}},
@@ -192,7 +183,7 @@ constexpr std::array<Row, questions> table{{
      {y, y, y, y, y, y, without_memory_code, memory_code,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, y,
+      y, y,
       y, mounted, reacting,
       no_formula, no_formula,
       measured_code}},
@@ -200,7 +191,7 @@ constexpr std::array<Row, questions> table{{
      {measured_polynomial, y, lossy_law, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, y,
+      y, y,
       y, y, y,
       no_formula, no_formula,
       contact_polynomial}},
@@ -208,7 +199,7 @@ constexpr std::array<Row, questions> table{{
      {table_alone, y, one_frequency, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, y,
+      y, y,
       y, y, y,
       y, y,
       table_alone}},
@@ -216,7 +207,7 @@ constexpr std::array<Row, questions> table{{
      {y, y, lossy_motion, each_place, y, y, y, y,
       no_load, y, no_friction, y, y, never_closes,
       too_large, y, opens_moving, y, y, y,
-      y, sinks_opening, measured_opening,
+      y, sinks_opening,
       y, mounted, reacting,
       y, y,
       measured_motion}},
@@ -224,7 +215,7 @@ constexpr std::array<Row, questions> table{{
      {measured_holder, masses_hold, lossy_law, y, no_cells, y, y, y,
       y, no_modulus, no_friction, y, y, never_closes,
       too_large, y, y, opens_at_tip, y, y,
-      y, y, y,
+      y, y,
       y, y, y,
       y, y,
       measured_motion}},
@@ -232,7 +223,7 @@ constexpr std::array<Row, questions> table{{
      {y, y, lossy_motion, y, y, y, y, y,
       no_load, no_modulus, y, y, y, y,
       y, y, y, y, y, y,
-      y, sinks_opening, y,
+      y, sinks_opening,
       y, mounted, reacting,
       y, y,
       measured_motion}},
@@ -240,15 +231,15 @@ constexpr std::array<Row, questions> table{{
      {y, y, lossy_motion, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, measured_opening,
+      y, y,
       y, mounted, reacting,
       y, y,
       measured_motion}},
     {Question::comparison,
-     {measured_comparison, y, lossy_motion, y, y, y, y, y,
+     {y, y, lossy_motion, y, y, y, y, y,
       no_load, no_modulus, no_friction, y, y, never_closes,
       y, y, y, y, no_comparison, no_comparison,
-      y, sinks_opening, y,
+      y, sinks_opening,
       y, mounted, reacting,
       no_formula, no_formula,
       measured_motion}},
@@ -256,7 +247,7 @@ constexpr std::array<Row, questions> table{{
      {y, y, y, no_methods, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, y,
+      y, y,
       y, y, y,
       y, y,
       y}},
@@ -264,7 +255,7 @@ constexpr std::array<Row, questions> table{{
      {y, y, not_causal, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, opens_measured,
+      y, y,
       y, closed_alone, closed_alone,
       y, y,
       measured_still}},
@@ -272,7 +263,7 @@ constexpr std::array<Row, questions> table{{
      {y, y, y, each_place, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, y,
+      y, y,
       y, closed_alone, closed_alone,
       y, y,
       table_alone}},
@@ -280,7 +271,7 @@ constexpr std::array<Row, questions> table{{
      {networks_alone, networks_alone, not_causal, one_contact, y, closed_alone, y, y,
       inadmissible, inadmissible, y, inadmissible, y, inadmissible,
       inadmissible, y, inadmissible, inadmissible, y, y,
-      y, inadmissible, y,
+      y, inadmissible,
       y, inadmissible, inadmissible,
       y, y,
       measured_still}},
@@ -288,7 +279,7 @@ constexpr std::array<Row, questions> table{{
      {y, y, y, y, y, y, y, y,
       no_load, no_load, y, no_indentation, y, y,
       y, y, y, y, y, y,
-      y, y, y,
+      y, y,
       y, y, y,
       y, y,
       y}},
@@ -296,7 +287,7 @@ constexpr std::array<Row, questions> table{{
      {y, y, y, y, y, y, y, y,
       y, y, y, y, never_closed, never_closed,
       too_large_anywhere, too_large_anywhere, y, y, y, y,
-      y, y, y,
+      y, y,
       mounted_frequency, y, y,
       y, y,
       measured_frequencies}},
@@ -304,7 +295,7 @@ constexpr std::array<Row, questions> table{{
      {y, y, y, y, y, y, y, y,
       y, y, y, y, never_closed, never_closed,
       y, y, y, y, y, y,
-      y, y, y,
+      y, y,
       y, y, y,
       y, y,
       y}},
@@ -312,7 +303,7 @@ constexpr std::array<Row, questions> table{{
      {y, y, y, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
-      y, y, y,
+      y, y,
       y, y, y,
       no_formula, no_formula,
       y}},

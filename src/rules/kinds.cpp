@@ -116,8 +116,6 @@ const char* name_of(SceneKind kind) {
       return "sinking";
     case SceneKind::sinking_opening:
       return "sinking_opening";
-    case SceneKind::measured_and_separating:
-      return "measured_and_separating";
     case SceneKind::mount:
       return "mount";
     case SceneKind::separating_mount:
@@ -186,8 +184,6 @@ bool Facts::is(SceneKind kind) const {
       return sinks();
     case SceneKind::sinking_opening:
       return sinks() && separating && opens();
-    case SceneKind::measured_and_separating:
-      return separating && problem_->receptance() != nullptr;
     case SceneKind::mount:
       return problem_->mount.has_value();
     case SceneKind::separating_mount:

@@ -32,7 +32,6 @@ enum class SceneKind {
   open_where_steepest,            ///< likewise, since it is open where u_z rises fastest
   sinking,                        ///< K_n(0) = 0 under a load: sinks, as deep as time goes on
   sinking_opening,                ///< the same of a contact that opens
-  measured_and_separating,        ///< below a measured drive, a contact that may open
   mount,                          ///< the vibrator presses through a network that gives
   separating_mount,               ///< the contact may open, below a mount; no load says how deep
   separating_with_mass,           ///< the same under any load, and a mass moves with the contact

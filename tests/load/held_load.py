@@ -127,7 +127,7 @@ class Trial:
         has_dampers = any(not name.startswith("k") for name in self.draw.half_space)
         return any(words in told and holds for words, holds in (
             ("no static load", no_load), ("it sinks for ever", no_load and "load" in self.scene),
-            ("below a measured drive no contact that opens", is_measured), ("below a mount", "mount" in self.scene),
+            ("below a mount", "mount" in self.scene),
             ("several parts hold it", has_masses and "body" not in self.scene),
             ("cells with a memory", self.by_phases and has_dampers),
             ("opens all over", self.by_phases and not self.draw.separates),

@@ -167,9 +167,9 @@ def contact_amplitude(kind):
     return found, found / references("value:U")
 
 
-def receptance(kind, omega):
+def receptance(omega):
     """Of the measured drive, at a row of its table."""
-    with (FOLDER / "kinds" / ("chain.csv" if kind == "measured_drive" else "receptance.csv")).open() as file:
+    with (FOLDER / "kinds/chain.csv").open() as file:
         rows = {float(row["omega"]): mp.mpc(row["Re"], row["Im"]) for row in csv.DictReader(file)}
     return rows[float(omega)]
 

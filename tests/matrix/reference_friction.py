@@ -136,7 +136,7 @@ def simulated_sensitivities(name, values, means, opening, at):
                 if "W" in values:
                     changed |= found_depth(name, changed)
                 new_means = means_of(changed)
-                found.append(simulated_onset(wired(name, changed), changed, new_means, opening, DIFFERENCE_STEPS))
+                found.append(simulated_onset(moving(name, changed), changed, new_means, opening, DIFFERENCE_STEPS))
             (one, one_error), (two, two_error) = found
             distance = np.log((1 + float(width)) / (1 - float(width)))
             slopes.append(np.log(one[0][0] / two[0][0]) / distance)
@@ -172,10 +172,10 @@ def friction_rows(name, values, text, linear):
         else:
             best, error = simulated_onset(system, values, means, opening)
             onset = best[0][0]
-            yield "critical_velocity", onset, error[0][0]
+            yield "critical_velocity", onset, error[0][0] + system.fit_error * onset
             # The drive runs ahead by the mean force over what creeps.
             slip = creep / float(values["mu0"])
-            yield "drive_velocity", onset + slip * best[1][0], error[0][0] + slip * error[1][0]
+            yield "drive_velocity", onset + slip * best[1][0], error[0][0] + slip * error[1][0] + system.fit_error * onset
             yield from simulated_sensitivities(name, values, means, opening, onset)
         if system.mount:
             at_rest = float(mp.re(stiffness(system.mount, mp.mpf(10) ** -60)))

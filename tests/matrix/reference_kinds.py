@@ -96,7 +96,7 @@ KINDS = {
     "separation_creeping": lambda v: (spring(v["kn"]), maxwell(v["kt"], v["ct"]), None),
     "separation_masses": lambda v: (spring(v["kn"]), spring(v["kt"]),
                                     series(spring(v["kf"]), parallel(mass(v["ms"]), kelvin(v["km"], v["cm"])))),
-    "separation_measured": lambda v: (spring(v["kn"]), spring(v["kt"]), "receptance.csv"),
+    "separation_measured": lambda v: (spring(v["kn"]), spring(v["kt"]), "chain.csv"),
     "separation_lossy": lambda v: (spring(v["kn"]), lossy(v["kt"], v["eta1"]), None),
     "drive_free_harmonics": lambda v: (spring(v["kn"]), spring(v["kt"]),
                                        series(spring(v["kf"]), parallel(mass(v["ms"]), spring(v["km"])))),

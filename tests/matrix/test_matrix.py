@@ -191,7 +191,7 @@ class Matrix(Cells, unittest.TestCase):
             values = REFERENCES[each].parameters() | {name: mp.mpf(x) for name, x in found["values"].items()}
             values |= {"du_z": values["U"]} if "U" in found["values"] else {}  # one symbol, by its name in the first
             if "R_d" in values:
-                values["R_d"] = receptance(each, values["omega"])
+                values["R_d"] = receptance(values["omega"])
             value = abs(formulas.line_value(line, values))
             self.near(found[place], value, 1e-12 * value, place)
 
@@ -240,14 +240,14 @@ class Matrix(Cells, unittest.TestCase):
             return
         answer = json.loads(ran.stdout)
         self.near_formula(answer["formula"], kind)
-        value, error = onset(kind)
-        share = free_share(kind)
+        (value, error), fit = onset(kind), answer.get("realisation_difference", 0)
+        self.assertLess(fit, 1e-3)  # five digits of a table: some 1e-5 of R_d, of which v* is a smooth function
         self.assertEqual(answer["agree"], ran.returncode == 0)
-        self.near(answer["simulated"], value * (share or 1), error + 1e-9 * value, "simulated")
+        self.near(answer["simulated"], value * (free_share(kind) or 1), error + (fit + 1e-9) * value, "simulated")
         if answer["stick_onset"] is None:
             self.assertIn(kind, ("free_harmonic", "drive_free_harmonics", "near_free_harmonic", "antiresonance"))
         else:
-            self.near(answer["stick_onset"], value, error + 1e-9 * value, "stick_onset")
+            self.near(answer["stick_onset"], value, error + (fit + 1e-9) * value, "stick_onset")
 
     def test_plot(self):
         self.over([f"plot/{each}" for each in PICTURES], lambda kind, column: plot_cells.plot(self, kind, column))

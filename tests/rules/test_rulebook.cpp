@@ -72,11 +72,6 @@ Scene scene_of(SceneKind kind) {
   switch (kind) {
     case SceneKind::measured_drive:
       return measured();
-    case SceneKind::measured_and_separating: {
-      Scene scene = measured();
-      scene.separation = true;
-      return scene;
-    }
     case SceneKind::masses_in_drive:
       return scene_of({.rest = "[drive]\nnetwork = \"kd - (mass(m1) | k)\"\n"});
     case SceneKind::lossy_spring:
@@ -160,11 +155,7 @@ const Names outside{"admissible", "report_stability"};
 Names without_answer(SceneKind kind) {
   switch (kind) {
     case SceneKind::measured_drive:
-      return contact + Names{"rational_form", "all_frequencies", "comparison", "report_stability"};
-    case SceneKind::measured_and_separating:
-      return without_answer(SceneKind::measured_drive) +
-             without_answer(SceneKind::separating_with_memory) +
-             Names{"motion", "motion_in_time", "report_simulation"};
+      return contact + Names{"rational_form", "all_frequencies", "report_stability"};
     case SceneKind::masses_in_drive:
       return contact + Names{"report_stability"};
     case SceneKind::lossy_spring:

@@ -107,9 +107,9 @@ Border border_of(const SceneReport& report, const CriticalOnset& onset) {
   return border;
 }
 
-// Speeds just below and above v* are told apart by the v* of what marches.
+// Speeds just below and above v* are told apart by the v* of what marches, which a simulated one is.
 Border border_of_march(const SceneReport& report, const Border& border) {
-  if (!is_measured(report)) return border;
+  if (!is_measured(report) || !by_formula(report)) return border;
   const double fitted = realised_velocity(report.problem).value;
   return {fitted, fitted, report.condition, "Eq. 24 with the structure fitted to the table"};
 }
@@ -210,7 +210,8 @@ void simulate(SceneReport& report, const symbolic::Derivation& derivation,
     }
     progress("looking for the last stick");
     compare_border(report, onset, system, evaluated, witnesses);
-    if (is_measured(report)) report.comparisons.push_back(compare_periodic_motion(report));
+    if (is_measured(report) && by_formula(report))
+      report.comparisons.push_back(compare_periodic_motion(report));
     const double finite = by_formula(report) ? report.critical_velocity + report.creep_velocity
                                              : onset.drive_velocity;
     const double drive_velocity =
