@@ -25,7 +25,8 @@ GiNaC::exmap coefficient_names(const std::vector<Line>& definitions) {
 // Leading terms are powers of s with positive factors, which s = 1 leaves.
 Asymptote asymptote(const Model& model, bool high, const Abbreviations& abbreviated) {
   const Asymptotic amplitude = shortest_in(
-      abbreviated, {}, [&](const Change& change) { return model.asymptotic(high ? 1 : -1, change); },
+      abbreviated, {},
+      [&](const Change& change) { return model.asymptotic(high ? 1 : -1, change); },
       [](const Asymptotic& each) { return printed_operations(each.amplitude); });
   const GiNaC::exmap names = coefficient_names(amplitude.definitions);
   const Prose title{tends(omega(), high)};

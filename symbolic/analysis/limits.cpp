@@ -5,6 +5,7 @@
 #include <set>
 
 #include "analysis/shape.hpp"
+#include "derivation/factors.hpp"
 #include "derivation/model.hpp"
 #include "formula/algebra_lock.hpp"
 #include "formula/prose.hpp"
@@ -16,6 +17,10 @@ namespace vcrit::symbolic {
 namespace {
 
 using GiNaC::ex;
+
+// Definitions of a limit that is derived in g as well: networks of hundreds have hundreds of
+// limits.
+constexpr std::size_t most_derived_twice = 20;
 
 /// Elements that go to a limit together: one, or all entries of an array.
 struct ElementGroup {
@@ -114,9 +119,14 @@ class Collector {
     limits_.push_back({title.text(), title, formula->equation, formula->velocity,
                        shown(*formula, change), formula->definitions, rates(change)});
   }
-  /// Formulas in definitions stay as they are.
+  /// In complex stiffnesses there is no k_d for Z, and g is told from numbers: K_n + g (K_d - ...).
   ex shown(const Formula& formula, const Change& change) const {
-    if (!formula.definitions.empty()) return formula.velocity;
+    if (formula.definitions.size() > most_derived_twice) return formula.velocity;
+    if (!formula.definitions.empty()) {
+      const Change in_ratio = abbreviated({names_.ratio, {}}, change).front();
+      const ex velocity = model_.formula(in_ratio)->velocity;
+      return names_.ratio ? by_letter(velocity, names_.ratio->left) : velocity;
+    }
     return shortest_in(
         names_, change, [&](const Change& each) { return model_.formula(each)->velocity; },
         printed_operations);

@@ -20,7 +20,7 @@ struct Limit {
   Prose title;           ///< the same
   std::string equation;  ///< number in the paper, "(31)", where it is one, else empty
   Expression result;
-  Expression shown;  ///< the same, in g and Z where these make it shorter
+  Expression shown;               ///< the same, in g and Z where these make it shorter
   std::vector<Line> definitions;  ///< as in Derivation
   Rates rates;                    ///< a way to approach it; empty where values alone do not
 };

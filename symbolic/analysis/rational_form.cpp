@@ -155,9 +155,9 @@ Amplitude multiplied_out(const Model& model, double budget, const Change& change
     throw ModelError(fmt::format(
         "multiplied out, v* has polynomials of {:.6g} terms, more than the budget of {:.6g}", terms,
         budget));
-  const ex amplitude =
-      change.ratio ? (model.amplitude(change) / symbol({"mu0"}) / symbol({"du_z"})).normal()
-                   : model.per_friction();
+  const ex amplitude = change.ratio
+                           ? (model.amplitude(change) / symbol({"mu0"}) / symbol({"du_z"})).normal()
+                           : model.per_friction();
   ensure(!amplitude.has(quantity("R_d")), "who wants polynomials has asked the rulebook");
   auto ring = std::make_shared<const Ring>(variables(model, amplitude));
   QuotientAlgebra algebra{*ring, {}};

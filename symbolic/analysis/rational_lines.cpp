@@ -186,11 +186,11 @@ class FactorWriter {
   std::string by_;
 };
 
-using WriteLines = std::function<std::vector<Line>(const InOtherVariables&, const std::string& by)>;
+using LineWriter = std::function<std::vector<Line>(const InOtherVariables&, const std::string& by)>;
 
 /// The lines of one way; none where it does not suit the polynomials.
 std::vector<Line> lines_in(const InOtherVariables& other, Way way, const Swinging* swinging,
-                           const WriteLines& write) {
+                           const LineWriter& write) {
   std::vector<Line> lines = write(other, way == Way::plain ? "" : other.name());
   if (way != Way::plain && !lines.empty())
     lines.insert(lines.begin() + 1, meaning_of(way, *swinging));
@@ -217,7 +217,7 @@ Way way_of_fewest_terms(const std::vector<const Polynomial*>& polynomials,
 /// The polynomials in the shortest of the ways in which `write` gives lines. Long ones are written
 /// once: their terms alone decide.
 std::vector<Line> shortest_way(const std::vector<const Polynomial*>& polynomials,
-                               const std::optional<Swinging>& given, const WriteLines& write) {
+                               const std::optional<Swinging>& given, const LineWriter& write) {
   const Ring& ring = polynomials.front()->ring();
   const bool swings = given && ring.holds(given->mass) && ring.holds(given->spring);
   const Swinging* const swinging = swings ? &*given : nullptr;

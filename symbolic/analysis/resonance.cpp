@@ -76,8 +76,8 @@ Resonance::Parts without_numbers(const Resonance::Parts& parts) {
 std::optional<ex> factor_in(const Change& change, const ex& factor, const ex& m,
                             const Model& model) {
   for (const auto& [other, exponent] : model.factors(change).parts()) {
-    const bool same = std::all_of(
-        model.networks().begin(), model.networks().end(), [&](const Part& part) {
+    const bool same =
+        std::all_of(model.networks().begin(), model.networks().end(), [&](const Part& part) {
           return other.has(quantity(part.name)) == factor.has(quantity(part.name));
         });
     if (other.has(m) && same) return other;

@@ -42,16 +42,6 @@ ex velocity(const ex& amplitude) {
   return omega() * factors.modulus();
 }
 
-/// Each absolute value as a polynomial in a letter.
-ex by_letter(const ex& formula, const ex& letter) {
-  if (GiNaC::is_a<GiNaC::function>(formula))
-    return GiNaC::abs(formula.op(0).expand().collect(letter));
-  GiNaC::exmap collected;
-  for (auto part = formula.preorder_begin(); part != formula.preorder_end(); ++part)
-    if (GiNaC::is_a<GiNaC::function>(*part)) collected[*part] = by_letter(*part, letter);
-  return formula.subs(collected, GiNaC::subs_options::no_pattern);
-}
-
 /// v* = omega |B|, with and without what the scene's contact and drive have in common.
 void write_condition(const Model& model, std::vector<Line>& lines) {
   const ex v = quantity("v*");

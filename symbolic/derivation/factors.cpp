@@ -100,6 +100,15 @@ bool is_negative(const ex& expression) {
   return expression.subs(sample).info(GiNaC::info_flags::negative);
 }
 
+ex by_letter(const ex& formula, const ex& letter) {
+  if (GiNaC::is_a<GiNaC::function>(formula))
+    return GiNaC::abs(formula.op(0).expand().collect(letter));
+  GiNaC::exmap collected;
+  for (auto part = formula.preorder_begin(); part != formula.preorder_end(); ++part)
+    if (GiNaC::is_a<GiNaC::function>(*part)) collected[*part] = by_letter(*part, letter);
+  return formula.subs(collected, GiNaC::subs_options::no_pattern);
+}
+
 EvenOdd even_odd(const ex& f) {
   EvenOdd parts;
   const ex s = laplace(), w = omega();

@@ -48,6 +48,9 @@ GiNaC::ex factored_polynomial(const GiNaC::ex& polynomial);
 /// Whether an expression that keeps its sign for all values of its symbols is negative.
 bool is_negative(const GiNaC::ex& expression);
 
+/// Each absolute value in a formula as a polynomial in a letter: |K_n + g (K_d - m omega^2)|.
+GiNaC::ex by_letter(const GiNaC::ex& formula, const GiNaC::ex& letter);
+
 /// A polynomial f of s = i omega as even + i omega odd.
 struct EvenOdd {
   GiNaC::ex even, odd;

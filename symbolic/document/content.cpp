@@ -103,7 +103,8 @@ Section facts_section(const Findings& findings) {
   return section;
 }
 
-/// A title with the number of an equation; its first word with a capital, its first symbol as it is.
+/// A title with the number of an equation; its first word with a capital, its first symbol as it
+/// is.
 Prose headed(const Prose& title, const std::string& equation) {
   Prose result;
   for (Prose::Part part : title.parts()) {

@@ -73,7 +73,7 @@ Prose words_of(const Statement& at, const Abbreviations& names, const NamedAmpli
   return words;
 }
 
-int size_of_amplitude(const NamedAmplitude& named) {
+int operations_in_steps(const NamedAmplitude& named) {
   int sum = printed_operations(named.product.value());
   for (const Equation& each : named.polynomials) sum += operations_in(each.right.form);
   return sum;
@@ -96,7 +96,7 @@ std::vector<DocumentBlock> root_steps(const Derivation& derivation, const Abbrev
       [&](const Change& change) {
         return named_amplitude(model.multiplied_out_amplitude(change).value());
       },
-      size_of_amplitude);
+      operations_in_steps);
   if (named.polynomials.empty()) return {};
   const ex product = named.product.value().subs(laplace() == GiNaC::I * omega());
   named.polynomials.push_back({form_of(quantity("B")).form, form_of(product), {}});

@@ -67,14 +67,25 @@ BOOST_AUTO_TEST_CASE(limits_have_the_ratio_and_the_stiffness_by_name) {
   }
 }
 
+// Ten branches stay in complex stiffnesses.
+BOOST_AUTO_TEST_CASE(nested_limits_have_the_ratio_by_name) {
+  const Derivation derivation =
+      derive(scene_of("normal = \"prony(k0, k, tau, 10)\"\npoisson = 0.3", "kd", "m"));
+  const std::vector<Limit> all = limits(derivation, abbreviations(derivation));
+  BOOST_TEST(to_text(all.at(1).shown) == "mu0*omega*du_z*abs(K_n + g*K_d)/abs(K_d)");
+  BOOST_TEST(to_text(all.at(1).result) == "mu0*omega*du_z*abs(14*K_n + 17*K_d)/(14*abs(K_d))");
+}
+
 BOOST_AUTO_TEST_CASE(names_that_say_nothing_are_left_out) {
   const auto names = [](const Scene& scene) {
     const Abbreviations found = abbreviations(derive(scene));
     return std::pair(found.ratio.has_value(), found.stiffness.has_value());
   };
   // K_t = K_n, a ratio with a name, a tangential network; no drive, no mass, two springs.
-  BOOST_TEST((names(scene_of(zener + "tangential_ratio = 1", "kd", "m")) == std::pair(false, true)));
-  BOOST_TEST((names(scene_of(zener + "tangential_ratio = \"r\"", "kd")) == std::pair(false, false)));
+  BOOST_TEST(
+      (names(scene_of(zener + "tangential_ratio = 1", "kd", "m")) == std::pair(false, true)));
+  BOOST_TEST(
+      (names(scene_of(zener + "tangential_ratio = \"r\"", "kd")) == std::pair(false, false)));
   BOOST_TEST((names(scene_of(zener + "tangential = \"kt\"", "kd", "m")) == std::pair(false, true)));
   BOOST_TEST((names(scene_of(zener + "poisson = 0.3")) == std::pair(false, false)));
   BOOST_TEST((names(scene_of(zener + "poisson = 0.3", "kd - ks", "m")) == std::pair(true, false)));

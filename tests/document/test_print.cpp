@@ -141,8 +141,8 @@ BOOST_AUTO_TEST_CASE(text_shows_the_way_and_the_limits) {
 // K_n + g Z over the denominator of K_n, by hand.
 BOOST_AUTO_TEST_CASE(steps_have_the_ratio_and_the_stiffness_by_name) {
   for (const char* ratio : {"poisson = 0.3", "poisson = \"nu\""}) {
-    const std::string text = print(
-        test::scene_of(std::string("normal = \"k0 | (k1 - c1)\"\n") + ratio, "kd", "m"), {});
+    const std::string text =
+        print(test::scene_of(std::string("normal = \"k0 | (k1 - c1)\"\n") + ratio, "kd", "m"), {});
     for (const char* expected :
          {"with even and odd powers of s = i*omega separated, and Z = kd - m*omega^2:",
           "    P_1 = k0*k1 + g*k1*Z + i*omega*(c1*k0 + c1*k1 + g*c1*Z)\n",
@@ -246,7 +246,8 @@ BOOST_AUTO_TEST_CASE(entries_of_an_array_are_told_from_elements) {
                  {Format::latex});
   };
   BOOST_TEST(latex("prony(k0, k, tau, 4)").find("\\frac{k_{j} \\tau_{j} s}") != std::string::npos);
-  BOOST_TEST(latex("prony(k1, k, tau, 4)").find("\\frac{k_{(j)} \\tau_{j} s}") != std::string::npos);
+  BOOST_TEST(latex("prony(k1, k, tau, 4)").find("\\frac{k_{(j)} \\tau_{j} s}") !=
+             std::string::npos);
 }
 
 // GiNaC orders terms by addresses and hashes, which differ from run to run: five processes

@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(other_terms_stay_apart) {
 BOOST_AUTO_TEST_CASE(letters_of_the_program_run_with_the_entries) {
   ex sum = 0;
   for (int j = 1; j <= 5; ++j) sum += quantity("T" + std::to_string(j + 7)) * entry("k", j);
-  BOOST_TEST(folded(sum) == "sum(T[j+7]*k[j], j = 1..5)");
+  BOOST_TEST(folded(sum) == "sum(k[j]*T[j+7], j = 1..5)");
 }
 
 // Products, roots and powers around the sum; each number once, at random places. Sums of ten terms

@@ -73,10 +73,10 @@ BOOST_AUTO_TEST_CASE(the_network_has_the_stiffness) {
   // none. Then with a spring, with a damper, three of them with both, and as one quotient.
   const Complex first = k0 + c1 * s, second = k1 + r * c1 * s, third = k1 + k0 * tau * s;
   BOOST_TEST(is("1/(1/(k0 + c1*s) + 1/(k1 + r*c1*s))", 1. / (1. / first + 1. / second)));
-  BOOST_TEST(is("(k0 + c1*s)*(k1 + r*c1*s)/((k0 + k1) + (c1 + r*c1)*s)",
-                1. / (1. / first + 1. / second)));
-  BOOST_TEST(is("1/(1/k1 + 1/(k0 + c1*s) + 1/(k1 + r*c1*s))",
-                1. / (1. / k1 + 1. / first + 1. / second)));
+  BOOST_TEST(
+      is("(k0 + c1*s)*(k1 + r*c1*s)/((k0 + k1) + (c1 + r*c1)*s)", 1. / (1. / first + 1. / second)));
+  BOOST_TEST(
+      is("1/(1/k1 + 1/(k0 + c1*s) + 1/(k1 + r*c1*s))", 1. / (1. / k1 + 1. / first + 1. / second)));
   BOOST_TEST(is("1/(1/(c1*s) + 1/(k0 + c1*s) + 1/(k1 + r*c1*s))",
                 1. / (1. / (c1 * s) + 1. / first + 1. / second)));
   BOOST_TEST(is("1/(1/k0 + 1/(c1*s) + 1/(k0 + c1*s) + 1/(k1 + r*c1*s) + 1/(k1 + k0*tau*s))",
