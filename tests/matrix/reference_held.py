@@ -184,18 +184,18 @@ def half_space(values, radius, nu):
 
 
 def relaxing_rows(values, radius, nu):
-    """v* and its sensitivities, by differences that leave 10 digits; the mean force by a sum over phases."""
+    """v* and its sensitivities, by differences that leave 7 digits; the mean force by a sum over phases."""
     at = half_space(values, radius, nu)
     largest, phase = at.largest()
 
     def sliding(given):
         return given["mu0"] * given["omega"] * half_space(given, radius, nu).largest(phase)[0]
-    yield "critical_velocity", values["mu0"] * values["omega"] * largest, mp.mpf(10) ** -11 * values["omega"] * largest
-    small = mp.mpf(10) ** -5
+    yield "critical_velocity", values["mu0"] * values["omega"] * largest, mp.mpf(10) ** -10 * values["mu0"] * values["omega"] * largest
+    small = 1e-4
     for key in values:
         one, two = (sliding(values | {key: values[key] * factor}) for factor in (1 + small, 1 - small))
         yield f"sensitivity:{key}", mp.log(one / two) / (2 * small), 0
-    mean = 0
+    mean = 0.0
     from held_memory import gauss
     for low, high in ((at.first, 0), (0, at.last)):
         mean += mp.fsum(w * (high - low) * 6 * s * (1 - s) * at.normal_force(low + (high - low) * s**2 * (3 - 2 * s))[0]
