@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analysis/abbreviated.hpp"
 #include "analysis/rational_lines.hpp"
 #include "formula/algebra_lock.hpp"
 #include "formula/form.hpp"

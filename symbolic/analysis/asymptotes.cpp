@@ -1,5 +1,6 @@
 #include "analysis/asymptotes.hpp"
 
+#include "analysis/abbreviated.hpp"
 #include "derivation/factors.hpp"
 #include "derivation/model.hpp"
 #include "formula/algebra_lock.hpp"

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "analysis/abbreviated.hpp"
 #include "analysis/shape.hpp"
 #include "derivation/factors.hpp"
 #include "derivation/model.hpp"

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "analysis/abbreviated.hpp"
 #include "derivation/factors.hpp"
 #include "derivation/model.hpp"
 #include "formula/algebra_lock.hpp"

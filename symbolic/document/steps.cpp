@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "analysis/abbreviated.hpp"
 #include "derivation/factors.hpp"
 #include "derivation/model.hpp"
 #include "formula/symbols.hpp"
