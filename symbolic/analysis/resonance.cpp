@@ -73,15 +73,17 @@ Resonance::Parts without_numbers(const Resonance::Parts& parts) {
   return {divided(parts.real), divided(parts.imaginary)};
 }
 
-/// The factor of the amplitude that the condition comes from, of the same mass and stiffnesses.
-std::optional<ex> factor_in(const Change& change, const ex& factor, const ex& m,
-                            const Model& model) {
+/// The factor of the amplitude that the condition comes from: of the same mass and stiffnesses, and
+/// on the same side of the bar.
+std::optional<ex> factor_in(const Change& change, const ex& factor, Resonance::Kind kind,
+                            const ex& m, const Model& model) {
+  const bool above = kind == Resonance::Kind::antiresonance;
   for (const auto& [other, exponent] : model.factors(change).parts()) {
     const bool same =
         std::all_of(model.networks().begin(), model.networks().end(), [&](const Part& part) {
           return other.has(quantity(part.name)) == factor.has(quantity(part.name));
         });
-    if (other.has(m) && same) return other;
+    if (other.has(m) && same && (exponent > 0) == above) return other;
   }
   return std::nullopt;
 }
@@ -93,7 +95,7 @@ void abbreviate(Resonance& resonance, const ex& factor, const ex& m, const Model
     const ex g = names.ratio->left;
     Change change;
     change.ratio = 1 / g;
-    const auto other = factor_in(change, factor, m, model);
+    const auto other = factor_in(change, factor, resonance.kind, m, model);
     if (other && other->has(g))
       resonance.condition = other->subs(laplace() == GiNaC::I * omega()).expand().collect(g);
   }
@@ -101,7 +103,7 @@ void abbreviate(Resonance& resonance, const ex& factor, const ex& m, const Model
   resonance.parts = shortest_in(
       names, {},
       [&](const Change& change) {
-        const auto other = factor_in(change, factor, m, model);
+        const auto other = factor_in(change, factor, resonance.kind, m, model);
         const auto known = model.multiplied_out(factor, change);
         return other && known ? without_numbers(real_and_imaginary(other->subs(*known)))
                               : *resonance.parts;

@@ -115,6 +115,12 @@ BOOST_AUTO_TEST_CASE(conditions_of_resonance_have_both) {
                  .expand()
                  .is_zero());
   BOOST_TEST(to_text(found[1].parts->imaginary) == "omega*c1*k1^2");
+  // Where the drive is the contact's network, both conditions have that alone.
+  const Derivation same = derive(scene_of("normal = \"k0 | c0\"\npoisson = 0.3", "k0 | c0", "m"));
+  const auto of_one = resonances(same, abbreviations(same));
+  BOOST_TEST_REQUIRE(of_one.size() == 2U);
+  BOOST_TEST(to_text(of_one[0].condition) == "K_n - m*omega^2");
+  BOOST_TEST(to_text(of_one[1].condition) == "K_n + g*(K_n - m*omega^2)");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

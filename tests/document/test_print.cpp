@@ -152,6 +152,16 @@ BOOST_AUTO_TEST_CASE(steps_have_the_ratio_and_the_stiffness_by_name) {
   }
 }
 
+// Short lines of one kind are below one heading, and a Maxwell branch is one fraction.
+BOOST_AUTO_TEST_CASE(short_lines_are_joined) {
+  const std::string text =
+      print(test::scene_of("normal = \"k0 | (k1 - c1)\"\npoisson = 0.3", "kd", "m"), {});
+  for (const char* expected :
+       {"    x = A*exp(i*omega*t)\n    y = B*exp(i*omega*t)\n    f_n = ",
+        "with s = i*omega:\n    K_n = k0 + c1*k1*s/(k1 + c1*s)\n    K_d = kd\n"})
+    BOOST_TEST((text.find(expected) != std::string::npos), text);
+}
+
 BOOST_AUTO_TEST_CASE(json_has_the_promised_parts) {
   const auto json = nlohmann::json::parse(print(test::kelvin_scene(), {Format::json, true}));
   BOOST_TEST(json.at("title") == "test");
