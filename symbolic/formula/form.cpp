@@ -86,10 +86,10 @@ bool has_base(const Form& factor, const char* name) {
 /// m omega^2. The physical prefactor mu0 omega du_z keeps its order, in v*^2 as well.
 int rank(const Form& form, bool prefactor) {
   static const std::map<std::string, int> names{
-      {own_name("i"), -9}, {"mu0", -3},        {"du_z", -1},       {own_name("x"), 2},
-      {own_name("y"), 2},  {own_name("A"), 2}, {own_name("B"), 2}, {"omega", -2},
-      {own_name("g"), -1}, {own_name("Z"), 1}, {own_name("s"), 4}, {own_name("t"), 5},
-      {own_name("pi"), -4}};
+      {own_name("i"), -9},  {"mu0", -3},         {"du_z", -1},       {own_name("x"), 2},
+      {own_name("y"), 2},   {own_name("A"), 2},  {own_name("B"), 2}, {"omega", -2},
+      {own_name("g"), -1},  {own_name("Z"), 1},  {own_name("s"), 4}, {own_name("t"), 5},
+      {own_name("pi"), -4}, {own_name("R_d"), 0}};
   switch (form.kind) {
     case Form::Kind::number:
       return -10;
