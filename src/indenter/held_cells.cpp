@@ -43,7 +43,8 @@ HeldCells::HeldCells(const HalfSpace& half_space, const ScaledContact& contact,
       steps_(steps),
       body_((holder.mass > 0 ? 1 : 0) + 1 + static_cast<Eigen::Index>(holder.branches.size())),
       step_(two_pi / steps),
-      // A body or a damper is balanced over the step; springs alone, which have no rate, at its end.
+      // A body or a damper is balanced over the step; springs alone, which have no rate, at its
+      // end.
       share_(holder.mass > 0 || holder.damper > 0 ? 0.5 : 1) {
   const MemoryCells cells(half_space);
   const simulation::ContactModes& modes = cells.modes();
@@ -73,8 +74,8 @@ HeldCells::HeldCells(const HalfSpace& half_space, const ScaledContact& contact,
 void HeldCells::place_cells(const HalfSpace& half_space, const MemoryCells& cells, double unit,
                             int count) {
   const CellPanels panels(half_space);
-  const int each = std::max<int>(
-      1, count / static_cast<int>(panels.closed.size() + panels.opening.size()));
+  const int each =
+      std::max<int>(1, count / static_cast<int>(panels.closed.size() + panels.opening.size()));
   count_ = each * static_cast<Eigen::Index>(panels.closed.size() + panels.opening.size());
   weights_.resize(count_);
   bounds_ = Eigen::MatrixXd::Zero(count_, steps_);
@@ -137,8 +138,8 @@ HeldCells::Period HeldCells::period(State& state, double velocity, Effort& effor
     double rest = state(spring) - (1 - share_) * friction;
     if (holder_.mass > 0) rest -= 2 * holder_.mass / step_ * state(0);
     for (std::size_t j = 0; j < held_left_.size(); ++j)
-      rest += (1 - share_ + share_ * held_left_[j]) *
-              state(spring + 1 + static_cast<Eigen::Index>(j));
+      rest +=
+          (1 - share_ + share_ * held_left_[j]) * state(spring + 1 + static_cast<Eigen::Index>(j));
     double d = 0, piece = -1;
     for (int i = 0; i < most_pieces; ++i) {
       double slope = 0;
@@ -171,7 +172,8 @@ HeldCells::Period HeldCells::period(State& state, double velocity, Effort& effor
 
 /// As it moves the friction: of all cells together.
 double HeldCells::size(const State& change) const {
-  return std::max(change.head(body_).lpNorm<Eigen::Infinity>(), change.tail(change.size() - body_).lpNorm<1>());
+  return std::max(change.head(body_).lpNorm<Eigen::Infinity>(),
+                  change.tail(change.size() - body_).lpNorm<1>());
 }
 
 // Periods, each of which leads nearer to one that repeats; from a few of them Anderson's method
@@ -226,7 +228,8 @@ HeldCells::Steady HeldCells::steady(double velocity, double sliding, SharedEffor
   }
   if (result.open <= nearly_repeats) return result;
   throw ModelError(
-      "below the indenter no steady motion is found: its body rings, or its cells creep for too many "
+      "below the indenter no steady motion is found: its body rings, or its cells creep for too "
+      "many "
       "periods");
 }
 

@@ -45,12 +45,12 @@ class HeldCells {
   const ScaledHolder& holder_;
   Eigen::Index count_ = 0, steps_, branches_, body_;
   double step_, share_;
-  Eigen::ArrayXd weights_, glassy_;        ///< of each cell: stiffness of a unit modulus, and at once
-  Eigen::ArrayXd left_, gained_;           ///< of each branch over a step, of a unit stiffness
+  Eigen::ArrayXd weights_, glassy_;  ///< of each cell: stiffness of a unit modulus, and at once
+  Eigen::ArrayXd left_, gained_;     ///< of each branch over a step, of a unit stiffness
   std::vector<double> held_left_, held_gained_;  ///< the same of the drive
-  double slope_ = 0;                       ///< of the body's balance over its way
-  Eigen::MatrixXd bounds_;                 ///< a column a step
-  double bound_ = 0;                       ///< all of them
+  double slope_ = 0;                             ///< of the body's balance over its way
+  Eigen::MatrixXd bounds_;                       ///< a column a step
+  double bound_ = 0;                             ///< all of them
 };
 
 }  // namespace vcrit::indenter

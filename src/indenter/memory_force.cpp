@@ -50,8 +50,7 @@ MemoryCells::MemoryCells(const HalfSpace& half_space)
     : half_space_(half_space),
       modes_(simulation::modes_of({half_space.normal(), 0, half_space.amplitude()},
                                   half_space.omega())),
-      swing_(half_space.amplitude() *
-             dynamic_stiffness(half_space.normal(), half_space.omega())) {}
+      swing_(half_space.amplitude() * dynamic_stiffness(half_space.normal(), half_space.omega())) {}
 
 double MemoryCells::force(const CellTouch& touch, double t) const {
   double sum = (swing_ * std::polar(1.0, t)).real();
@@ -67,9 +66,9 @@ CellTouch MemoryCells::of_rim(double depth) const {
   const std::complex<double> turn = std::polar(1.0, result.begin), i(0, 1);
   for (simulation::Index j = 0; j < modes_.branch_rates.size(); ++j) {
     const double stiffness = modes_.branch_stiffness[j], rate = modes_.branch_rates[j];
-    result.decays.push_back(
-        rate == 0 ? stiffness * depth
-                  : -stiffness * half_space_.amplitude() * (i / (rate + i) * turn).real());
+    result.decays.push_back(rate == 0 ? stiffness * depth
+                                      : -stiffness * half_space_.amplitude() *
+                                            (i / (rate + i) * turn).real());
   }
   return result;
 }
@@ -80,7 +79,8 @@ CellTouch MemoryCells::touch(double x) const {
   const NormalCycle cycle =
       simulation::normal_cycle(modes_, {depth, half_space_.amplitude()}, half_space_.effort());
   if (cycle.touches.size() != 1)
-    throw ModelError("below the indenter a cell touches more than once in a period: no motion is known");
+    throw ModelError(
+        "below the indenter a cell touches more than once in a period: no motion is known");
   const NormalCycle::Touch& found = cycle.touches[0];
   if (found.duration >= two_pi) return {least_phase() - two_pi, least_phase(), found.decays};
   // A cell lifts off while the indentation falls.
@@ -98,10 +98,9 @@ MemoryForce::MemoryForce(const HalfSpace& half_space, double tolerance) : cells_
   }
   // As x^n with n > 1: of x it is less and less.
   const double small = 1e-8 * half_space.edge();
-  rate_unbounded_ =
-      cells_.modes().damper > 0 && panels.closed.empty() &&
-      half_space.gap().at(small) / small <
-          0.5 * half_space.gap().at(half_space.edge()) / half_space.edge();
+  rate_unbounded_ = cells_.modes().damper > 0 && panels.closed.empty() &&
+                    half_space.gap().at(small) / small <
+                        0.5 * half_space.gap().at(half_space.edge()) / half_space.edge();
   find_touches(panels.opening, tolerance);
   interpolate(tolerance);
 }
@@ -201,7 +200,8 @@ void MemoryForce::add(const Opening& part, double t, Sum& sum) const {
   if (!grows || !(cells_.modes().damper > 0) || to >= 1) return;
   // A direct damper carries a force at once, of each cell that touches.
   double force = swing.real();
-  for (Eigen::Index i = 2; i < 2 + static_cast<Eigen::Index>(cells_.modes().branch_rates.size()); ++i)
+  for (Eigen::Index i = 2; i < 2 + static_cast<Eigen::Index>(cells_.modes().branch_rates.size());
+       ++i)
     force += part.touch.at(to, i);
   sum.rate += 2 * force * part.panel.rate(to) / part.touch.slope(to, 0);
 }
@@ -218,9 +218,11 @@ MemoryForce::Sum MemoryForce::summed(double t) const {
 void MemoryForce::interpolate(double tolerance) {
   std::vector<double> ends;
   for (const Opening& part : openings_)
-    for (const double s : {0.0, 1.0}) ends.insert(ends.end(), {part.touch.at(s, 0), part.touch.at(s, 1)});
+    for (const double s : {0.0, 1.0})
+      ends.insert(ends.end(), {part.touch.at(s, 0), part.touch.at(s, 1)});
   last_ = closed_edge_ > 0 ? cells_.least_phase() : openings_.front().touch.at(0, 1);
-  for (double& end : ends) end = std::abs(end) < phase_error ? 0 : std::clamp(end, last_ - two_pi, last_);
+  for (double& end : ends)
+    end = std::abs(end) < phase_error ? 0 : std::clamp(end, last_ - two_pi, last_);
   ends.insert(ends.end(), {last_ - two_pi, 0, last_});
   std::sort(ends.begin(), ends.end());
   const auto together = [](double a, double b) { return b - a < phase_error; };
@@ -253,8 +255,9 @@ bool MemoryForce::touches(double t) const {
 
 double MemoryForce::interpolated(double given, Eigen::Index which) const {
   const double t = wrapped(given);
-  const auto after = std::upper_bound(phases_.begin(), phases_.end() - 1, t,
-                                      [](double value, const Phases& each) { return value < each.end; });
+  const auto after =
+      std::upper_bound(phases_.begin(), phases_.end() - 1, t,
+                       [](double value, const Phases& each) { return value < each.end; });
   const double share = std::clamp((t - after->begin) / (after->end - after->begin), 0.0, 1.0);
   // The root of s^2 (3 - 2 s) = share.
   const double s = 0.5 - std::sin(std::asin(1 - 2 * share) / 3);

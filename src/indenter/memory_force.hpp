@@ -63,8 +63,8 @@ class MemoryCells {
 
 class MemoryForce {
  public:
-  /// tolerance: relative, of what is interpolated. Throws ModelError where no normal force of a cell
-  /// is found.
+  /// tolerance: relative, of what is interpolated. Throws ModelError where no normal force of a
+  /// cell is found.
   MemoryForce(const HalfSpace& half_space, double tolerance);
 
   double force(double t) const { return interpolated(t, 0); }  ///< N

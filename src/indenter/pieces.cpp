@@ -23,8 +23,9 @@ Eigen::MatrixXd transform() {
   Eigen::MatrixXd result(points, points);
   for (Eigen::Index k = 0; k < points; ++k)
     for (Eigen::Index i = 0; i < points; ++i)
-      result(k, i) = (k == 0 ? 1.0 : 2.0) / points *
-                     std::cos(pi * static_cast<double>(k) * (static_cast<double>(i) + 0.5) / points);
+      result(k, i) =
+          (k == 0 ? 1.0 : 2.0) / points *
+          std::cos(pi * static_cast<double>(k) * (static_cast<double>(i) + 0.5) / points);
   return result;
 }
 

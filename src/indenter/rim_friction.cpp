@@ -34,7 +34,8 @@ constexpr const char* rings =
     "shrinks with the contact area: the swing in slip grows without bound";
 
 constexpr const char* without_bound =
-    "where the indenter meets the surface its contact area grows like a root of time, and with it the "
+    "where the indenter meets the surface its contact area grows like a root of time, and with it "
+    "the "
     "force of the half-space's damper: springs alone follow without bound";
 
 /// A body sliding for ever below a drive at rest, and the numbers that its motion has at phase 0.
@@ -294,8 +295,7 @@ Friction without_oscillation(const HalfSpace& half_space) {
   return result;
 }
 
-/// By cells in time: so many of them at first, and steps of a period, and then twice and four times
-/// both.
+/// By cells in time: so many and so many steps of a period, and then twice and four times both.
 FrictionOfSpeed cells_friction(const HalfSpace& half_space, double tolerance) {
   // What is drawn takes a quarter of the time and errs four times as much.
   const int cells = tolerance < drawn_tolerance ? 100 : 50, steps = 6 * cells;

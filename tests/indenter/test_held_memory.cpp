@@ -114,8 +114,8 @@ class PlainCells {
  private:
   struct Cell {
     double gap;
-    double place = 0, branch = 0, bound = 0;           // across
-    double moved = 0, shear_branch = 0, force = 0;     // along, over mu0 E*
+    double place = 0, branch = 0, bound = 0;        // across
+    double moved = 0, shear_branch = 0, force = 0;  // along, over mu0 E*
   };
 
   void press(double t) {
@@ -181,8 +181,8 @@ class PlainCells {
 }  // namespace
 
 // By closed forms of cells and integrals over the phase at which they touch: 13 digits without a
-// body. With one its harmonics above 120 are left out, which fall like n^-6, but like n^-3 where the
-// whole indenter leaves the surface or the force of a direct damper jumps.
+// body. With one its harmonics above 120 are left out, which fall like n^-6, but like n^-3 where
+// the whole indenter leaves the surface or the force of a direct damper jumps.
 BOOST_AUTO_TEST_CASE(critical_velocities_of_another_method) {
   for (const Row& row : table()) {
     const simulation::Onset onset = rim_threshold(held(row.scene));
@@ -256,8 +256,7 @@ BOOST_AUTO_TEST_CASE(without_relaxation_it_is_elastic) {
 BOOST_AUTO_TEST_CASE(a_stiff_drive_is_rigid) {
   const Case c{"zener", 0.7, 0.8, "parabola", 0.6, 1, 1e9};
   const double critical = coefficient / shear_ratio * 0.6;
-  BOOST_TEST(rim_threshold(held(c)).drive_velocity == critical,
-             boost::test_tools::tolerance(1e-8));
+  BOOST_TEST(rim_threshold(held(c)).drive_velocity == critical, boost::test_tools::tolerance(1e-8));
   const HalfSpace rigid = held(c, {}, false);
   for (const double share : {0.3, 0.8}) {
     const Friction found = friction(held(c), share * critical),
@@ -273,16 +272,17 @@ BOOST_AUTO_TEST_CASE(a_flat_punch_is_one_contact) {
   for (const double amplitude : {0.4, 0.95}) {
     const Case c{"zener", 0.5, 1, "", amplitude, 1, 1.5, 0.4, 0.9};
     const HalfSpace punch = held(c, "shape = \"flat\"\nradius = 0.5\n");
-    test::SceneText text{.normal = "k0 | (k1 - c1)",
-                         .tangential_ratio = shear_ratio,
-                         .separation = true,
-                         .network = "kd | cd",
-                         .mass = 0.9,
-                         .angular_frequency = 1,
-                         .amplitude = amplitude,
-                         .indentation = 1,
-                         .coefficient = coefficient,
-                         .elements = {{"k0", 1}, {"k1", 0.5}, {"c1", 0.5}, {"kd", 1.5}, {"cd", 0.4}}};
+    test::SceneText text{
+        .normal = "k0 | (k1 - c1)",
+        .tangential_ratio = shear_ratio,
+        .separation = true,
+        .network = "kd | cd",
+        .mass = 0.9,
+        .angular_frequency = 1,
+        .amplitude = amplitude,
+        .indentation = 1,
+        .coefficient = coefficient,
+        .elements = {{"k0", 1}, {"k1", 0.5}, {"c1", 0.5}, {"kd", 1.5}, {"cd", 0.4}}};
     const simulation::System one = simulation::system_of(test::scene_of(text));
     const double critical = simulation::sliding_threshold(one).drive_velocity;
     BOOST_TEST(sliding_threshold(punch).drive_velocity == critical,

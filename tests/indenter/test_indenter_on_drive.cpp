@@ -302,8 +302,9 @@ BOOST_AUTO_TEST_CASE(drives_of_several_elements) {
   }
 }
 
-// A damper alone follows the friction: q' = -mu0 F_n/c, so v* is the largest mu0 (F_n/c + u_z'/kappa),
-// on a grid of phases that is flat to 1e-9 at its maximum. At the contact the mean of q' is missing.
+// A damper alone follows the friction: q' = -mu0 F_n/c, so v* is the largest mu0 (F_n/c +
+// u_z'/kappa), on a grid of phases that is flat to 1e-9 at its maximum. At the contact the mean of
+// q' is missing.
 BOOST_AUTO_TEST_CASE(a_drive_of_a_damper_alone) {
   const HalfSpace half_space =
       held({0.5, 0, 0, 0, 0.3, "shape = \"parabola\"\nradius = 1\n", 1, "cd", "cd = 3\n"});

@@ -19,7 +19,8 @@ using indenter::HalfSpace;
 using HeldBody = Eigen::VectorXd;
 
 /// What cells of a viscoelastic half-space remember, across the surface and along it: springs and
-/// relaxing ones, whose ends move evenly over a step. While a cell is off the surface nothing presses it.
+/// relaxing ones, whose ends move evenly over a step. While a cell is off the surface nothing
+/// presses it.
 class MemorySteps {
  public:
   MemorySteps(const Relaxation& modulus, double step, std::size_t cells, double width)
