@@ -54,6 +54,11 @@ inline void add(ConstView x, double factor, View y) {
   for (Index i = 0; i < x.size(); ++i) y[i] += factor * x[i];
 }
 
+/// y += a x.
+inline void add_product(const Matrix& a, ConstView x, View y) {
+  for (Index j = 0; j < a.columns(); ++j) add(a.column(j), x[j], y);
+}
+
 /// Numbers in the memory of others, column by column, `stride` apart.
 template <class Number>
 struct Columns {
@@ -121,7 +126,7 @@ inline void add_one(const double* a, Index stride, ConstView x, double* y) {
 
 }  // namespace detail
 
-/// y += a x. Each sum goes from the first column of a to the last.
+/// y += a x, for more than a few rows: each sum goes from the first column of a to the last, as above.
 inline void add_product(ConstMatrixView a, ConstMatrixView x, MatrixView y) {
   Index i = 0;
   const auto each_column = [&](auto add, Index rows) {
@@ -132,9 +137,6 @@ inline void add_product(ConstMatrixView a, ConstMatrixView x, MatrixView y) {
   while (i + 4 <= a.rows) each_column(detail::add_four, 4);
   if (i + 2 <= a.rows) each_column(detail::add_two, 2);
   if (i < a.rows) each_column(detail::add_one, 1);
-}
-inline void add_product(const Matrix& a, ConstView x, View y) {
-  add_product(all(a), ConstMatrixView(x), MatrixView(y));
 }
 
 inline Matrix identity(Index n) {

@@ -19,16 +19,16 @@ class Flow {
   const Factors& factors() const { return factors_; }
 
   /// x after the free motion of its modes z: levels by their integrals, own contact states from the
-  /// modes, and in stick the units driven by F'. Adds the integrals. Column by column.
-  void move(ConstMatrixView z, MatrixView x, MatrixView integrals) const;
+  /// modes, and in stick the units driven by F'. Adds the integrals.
+  void move(ConstView z, View x, View integrals) const;
   /// Carries changes on.
   void carry(Changes& changes) const;
 
  private:
   const Phase& phase() const { return stuck_ ? model_->stick : model_->slip; }
   void filter_units();
-  void add_modes(ConstView z, View x, View held, View slow) const;
-  void move_units(ConstMatrixView z, MatrixView units, MatrixView slow) const;
+  void move_units(ConstView z, View units, View slow) const;
+  void carry_together(Changes& changes) const;
 
   const Model* model_;
   bool stuck_;

@@ -61,7 +61,7 @@ GeneralModes stick_modes(const Masses& masses, const ContactModes& contact) {
 
 void add_rates(const Masses& masses, ConstView x, double force, View y) {
   y[0] -= force / masses.mass;
-  add_product(masses.rates, x, y);
+  add_product(all(masses.rates), x, y);
 }
 
 std::complex<double> mobility(const Masses& masses, std::complex<double> s) {

@@ -51,7 +51,7 @@ State Piece::after(const Flow& flow, View integrals) const {
   const int side = direction(start_.motion);
   State state{start_.motion, start_.at.time + flow.duration(), start_.x, 0, start_.touch};
   double impulse = integrals[0];
-  flow.move(ConstView(modes_), View(state.x), integrals);
+  flow.move(modes_, state.x, integrals);
   if (side == 0) return state;
   for (Index i = 0; model_->opening && i < model_->opening->rates.size(); ++i)
     impulse += side * model_->opening->part(i, start_.touch, start_.at.time) *
