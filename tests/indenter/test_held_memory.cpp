@@ -196,13 +196,14 @@ BOOST_AUTO_TEST_CASE(critical_velocities_of_another_method) {
   }
 }
 
-// 40 cells and 800 steps tell 1 % apart: cells that touch for a short time are off by their width.
+// Of 200 cells the body's rate is off by 1/400, as each touches late or early by half its width: they
+// tell 1 % apart. A stick at 0.99 lasts for 2 sqrt(0.02) rad, some 20 of 500 steps.
 BOOST_AUTO_TEST_CASE(plain_cells_stick_below_and_slide_above) {
   for (const Row& row : table()) {
-    if (row.scene.material != "zener" || row.id == "Z3") continue;
+    if (row.id != "Z1" && row.id != "Z2" && row.id != "Z4" && row.id != "Z6") continue;
     const double critical = rim_threshold(held(row.scene)).drive_velocity;
-    BOOST_TEST(PlainCells(row.scene, 40, 800).run(0.99 * critical, 8).sticks, row.id);
-    BOOST_TEST(!PlainCells(row.scene, 40, 800).run(1.01 * critical, 8).sticks, row.id);
+    BOOST_TEST(PlainCells(row.scene, 200, 500).run(0.99 * critical, 4).sticks, row.id);
+    BOOST_TEST(!PlainCells(row.scene, 200, 500).run(1.01 * critical, 4).sticks, row.id);
   }
 }
 
