@@ -241,7 +241,8 @@ class Matrix(Cells, unittest.TestCase):
         answer = json.loads(ran.stdout)
         self.near_formula(answer["formula"], kind)
         (value, error), fit = onset(kind), answer.get("realisation_difference", 0)
-        self.assertLess(fit, 1e-3)  # five digits of a table: some 1e-5 of R_d, of which v* is a smooth function
+        # Between its rows a table errs by an eighth of its second differences, 0.7 % of R_d, of which v* takes a fifth.
+        self.assertLess(fit, 2e-3)
         self.assertEqual(answer["agree"], ran.returncode == 0)
         self.near(answer["simulated"], value * (free_share(kind) or 1), error + (fit + 1e-9) * value, "simulated")
         if answer["stick_onset"] is None:
@@ -302,7 +303,8 @@ class Matrix(Cells, unittest.TestCase):
         elif quantity == "regime":
             self.assertEqual(row[quantity], references.text(f"regime:{i}"))
         elif quantity == "friction_ratio_error":
-            self.assertLess(float(row[quantity]), 1e-9)
+            # Cells with a memory go in steps of time.
+            self.assertLess(float(row[quantity]), 1e-3 if kind == "indenter_drive_viscoelastic" else 1e-9)
         else:
             name = f"{quantity}:{i}"
             self.near(row[quantity], references(name), references.error(name) + float(row["friction_ratio_error"]), name)
