@@ -238,14 +238,16 @@ def onsets(document, form, values):
     laplace = r"with (\S+) = (\S+)\*omega" if form == "text" else r"\$([^ $]+) = ([^ $]+) ?\\omega\$"
     words = re.findall(laplace, document)
     parts = re.split(heading, document, flags=re.M)
-    return [value for part in parts for value in part_onsets(documents.equations(part, form), form, values, words)]
+    # Names that words bring in: "separated, and Z = kd - m omega^2".
+    meant = re.findall(r"and \$([A-Za-z]) = ([^$]+)\$", document) if form != "text" else []
+    return [value for part in parts for value in part_onsets(meant + documents.equations(part, form), form, values, words)]
 
 
 def part_onsets(pairs, form, values, words):
     """In as many passes as it takes: a rational form names its parts before it says what they are."""
     names = Names(values)
     for own, unit in words or [("s", "i")]:
-        names.default(own.replace("\\", ""), 1j * values["omega"])
+        names.default(own.replace("\\mathrm", "").replace("\\", ""), 1j * values["omega"])
         names.default(unit, mp.mpc(1j))
     read = (lambda right: text_value(right, names)) if form == "text" else (lambda right: Latex(right, names).whole())
     star = {"text": ("v*", "v*^2")}.get(form, ("v^{*}", r"\left(v^{*}\right)^{2}"))
