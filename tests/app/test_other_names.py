@@ -91,9 +91,13 @@ class OtherNames(program.Case):
                     before, after = text.split("Normal contact", 1)
                     # Parts that got a name where the networks were still unknown; those of other formulas remain so.
                     parts = re.findall(r"^    (U_\d+) = (.+)$", before, re.M)
+                    # g and Z, which words bring in; the result may say them again.
+                    brought = re.findall(r" and (\w+) = [^:\n]+:\n    \1 = (.+)$", before, re.M)
+                    brought += re.findall(r"\sseparated,\sand\s(\w+)\s=\s([^:]+):$", after, re.M)
+                    brought = [(left, " ".join(right.split())) for left, right in brought]
                     lines = re.findall(r"^    (\S+) = (.+)$", after, re.M)
                     networks = next(n for n, (left, _) in enumerate(lines) if left == "v*")
-                    for left, right in lines[:networks] + parts + lines[networks:]:
+                    for left, right in brought + lines[:networks] + parts + [line for line in lines[networks:] if line not in brought]:
                         formula = re.sub(r"\b(abs|sqrt)\(", r"\1_of(", right.replace("^", "**"))
                         try:
                             value = eval(formula, {"__builtins__": {}}, dict(known, abs_of=abs, sqrt_of=cmath.sqrt))

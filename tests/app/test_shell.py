@@ -18,7 +18,7 @@ from program import PROGRAM, PROJECT
 
 SHARE = Path(sys.argv.pop(1)).resolve()
 MAN = SHARE / "man/man1/vcrit.1"
-COMMANDS = ["derive", "eval", "generate", "simulate", "critical", "plot", "explore", "sweep", "solve", "fit", "new", "check",
+COMMANDS = ["eval", "derive", "generate", "simulate", "critical", "plot", "explore", "sweep", "solve", "fit", "new", "check",
             "validate"]
 # "  -h,--help   Print ...", as CLI11 writes options; positionals stand under a heading of their own.
 OPTION = re.compile(r"^ {2}((?:-\w,)?--[\w-]+)(?: (\S.*?))?(?: {2,}|$)", re.MULTILINE)
