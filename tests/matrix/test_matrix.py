@@ -241,8 +241,7 @@ class Matrix(Cells, unittest.TestCase):
         answer = json.loads(ran.stdout)
         self.near_formula(answer["formula"], kind)
         (value, error), fit = onset(kind), answer.get("realisation_difference", 0)
-        # Between its rows a table errs by an eighth of its second differences, 0.7 % of R_d, of which v* takes a fifth.
-        self.assertLess(fit, 2e-3)
+        self.assertLess(fit, 2e-3)  # a fifth of what tables err by between rows, an eighth of their second differences
         self.assertEqual(answer["agree"], ran.returncode == 0)
         self.near(answer["simulated"], value * (free_share(kind) or 1), error + (fit + 1e-9) * value, "simulated")
         if answer["stick_onset"] is None:
@@ -303,8 +302,7 @@ class Matrix(Cells, unittest.TestCase):
         elif quantity == "regime":
             self.assertEqual(row[quantity], references.text(f"regime:{i}"))
         elif quantity == "friction_ratio_error":
-            # Cells with a memory go in steps of time.
-            self.assertLess(float(row[quantity]), 1e-3 if kind == "indenter_drive_viscoelastic" else 1e-9)
+            self.assertLess(float(row[quantity]), 1e-3 if kind == "indenter_drive_viscoelastic" else 1e-9)  # steps of time
         else:
             name = f"{quantity}:{i}"
             self.near(row[quantity], references(name), references.error(name) + float(row["friction_ratio_error"]), name)
