@@ -81,10 +81,13 @@ class SweepWriter {
     v.below.push_back(sum(n, m, body, problem_->mount_mass));
   }
 
-  /// The ratio's Q is in N. Without one nothing but mu0 omega du_z depends on omega.
+  /// The ratio's Q cancels with a drive. Without one nothing but mu0 omega du_z depends on omega,
+  /// and the mount.
   void divide(Velocity& v, const Ratio& ratio) {
-    result_.fits = result_.fits && (problem_->drive_network() != nullptr || problem_->mount);
     v.below.push_back(passive(polynomial({ratio.t}), ratio.t_range));
+    if (problem_->drive_network() != nullptr) return;
+    result_.fits = result_.fits && problem_->mount.has_value();
+    v.above.push_back(passive(polynomial({ratio.q}), ratio.q_range));
   }
 
   void times_quotient(Velocity& v, const Stiffness& n, const Tangential& t) {

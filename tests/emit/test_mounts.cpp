@@ -8,8 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "derivation/derivation.hpp"
 #include "derivation/scenes.hpp"
 #include "emit/draw.hpp"
+#include "emit/generate.hpp"
 #include "emit/language_files.hpp"
 #include "emit/library.hpp"
 
@@ -187,6 +189,16 @@ BOOST_AUTO_TEST_CASE(exactly_at_the_resonance) {
   BOOST_TEST(test::relative_error(calls[1].value, beside) <= 0x1.001p-53);
   // 1/4 2 2/(2 + 3 - 4) 3 (1/2 + 1/(1 - 4))
   BOOST_TEST(calls[2].value == 0.5);
+}
+
+// The polynomials in omega lacked the denominator of the contact's ratio; the proof told.
+BOOST_AUTO_TEST_CASE(isotropic_contacts_under_a_rigid_drive) {
+  for (const std::string ratio : {"poisson = 0.3", "tangential_ratio = 0.8"})
+    for (const char* network : {"km", "km | (k4 - c5)"}) {
+      const Scene scene =
+          test::scene_of("normal = \"k0 | (k1 - c1)\"\n" + ratio, "", "", mount(network));
+      BOOST_CHECK_NO_THROW(symbolic::emit_header(symbolic::derive(scene), "scene"));
+    }
 }
 
 BOOST_AUTO_TEST_CASE(other_languages) {
