@@ -10,6 +10,7 @@
 #include <complex>
 #include <vector>
 
+#include "base/constants.hpp"
 #include "indenter/half_space.hpp"
 #include "indenter/pieces.hpp"
 #include "modes/contact_modes.hpp"
