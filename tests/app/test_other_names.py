@@ -91,10 +91,7 @@ class OtherNames(program.Case):
                     before, after = text.split("Normal contact", 1)
                     # Parts that got a name where the networks were still unknown; those of other formulas remain so.
                     parts = re.findall(r"^    (U_\d+) = (.+)$", before, re.M)
-                    # g and Z, which words bring in; the result may say them again.
-                    brought = re.findall(r" and (\w+) = [^:\n]+:\n    \1 = (.+)$", before, re.M)
-                    brought += re.findall(r"\sseparated,\sand\s(\w+)\s=\s([^:]+):$", after, re.M)
-                    brought = [(left, " ".join(right.split())) for left, right in brought]
+                    brought = program.names_in_words(text)  # the result may say them again
                     lines = re.findall(r"^    (\S+) = (.+)$", after, re.M)
                     networks = next(n for n, (left, _) in enumerate(lines) if left == "v*")
                     for left, right in brought + lines[:networks] + parts + [line for line in lines[networks:] if line not in brought]:

@@ -8,7 +8,7 @@ import re
 import subprocess
 import unittest
 
-from program import Case, scene, unbroken
+from program import Case, names_in_words, scene, unbroken
 
 # What derivations call their own: stiffnesses, amplitudes, variables, the imaginary unit.
 OWN = ["s", "i", "j", "x", "y", "z", "t", "b", "K_n", "K_t", "K_d", "R_d", "C_t", "f_n", "rho_d", "kappa_k1", "theta",
@@ -45,11 +45,7 @@ class OwnNames(Case):
         known = dict(values, omega=6e4, mu0=0.3, du_z=1e-7, m=1e-3, **{i: 1j, s: 6e4j})
         known = {k.replace("[", "_"): v for k, v in known.items()}
         after = text[text.index("Normal contact"):]
-        # g and Z, which words bring in.
-        brought = re.findall(r" and (\w+) = [^:\n]+:\n    \1 = (.+)$", text, re.M)
-        brought += re.findall(r"\sseparated,\sand\s(\w+)\s=\s([^:]+):$", after, re.M)
-        brought = [(left, " ".join(right.split())) for left, right in brought]
-        for left, right in brought + re.findall(r"^    (\S+) = (.+)$", after, re.M):
+        for left, right in names_in_words(text) + re.findall(r"^    (\S+) = (.+)$", after, re.M):
             formula = re.sub(r"\b(abs|sqrt)\(", r"\1_of(", right.replace("^", "**"))
             result = eval(formula, {"__builtins__": {}}, dict(known, abs_of=abs, sqrt_of=cmath.sqrt))
             if left == "v*":

@@ -5,6 +5,7 @@ A test is started as test_NAME.py PROGRAM [ARGUMENT...], with this folder on PYT
 
 import csv
 import json
+import re
 import subprocess
 import sys
 import tempfile
@@ -67,6 +68,13 @@ def run(*arguments, folder=PROJECT, **options):
 def unbroken(text):
     """A printed derivation with every equation on one line."""
     return text.replace("\n        ", " ")
+
+
+def names_in_words(text):
+    """g and Z of a printed derivation, which words bring in, each with what it stands for."""
+    found = re.findall(r" and (\w+) = [^:\n]+:\n    \1 = (.+)$", text, re.M)
+    found += re.findall(r"\sseparated,\sand\s(\w+)\s=\s([^:]+):$", text, re.M)
+    return [(name, " ".join(meaning.split())) for name, meaning in found]
 
 
 def settings(values):
