@@ -72,10 +72,13 @@ void GslIntegrator::restart() {
 
 void GslIntegrator::check(int status) const {
   const bool finite = std::all_of(y_.begin(), y_.end(), [](double x) { return std::isfinite(x); });
-  if (status != GSL_SUCCESS || !finite)
-    throw ModelError(fmt::format("{} cannot go on: {}, at a step of {:.1g}/omega",
-                                 gsl_odeiv2_step_name(driver_->s),
-                                 finite ? gsl_strerror(status) : "the state is not finite", h_));
+  if (status == GSL_SUCCESS && finite) return;
+  // GSL's word for a step that no longer moves the time is "failure".
+  const char* reason = !finite                 ? "the state is not finite"
+                       : status == GSL_FAILURE ? "the steps that it needs are too short for doubles"
+                                               : gsl_strerror(status);
+  throw ModelError(fmt::format("{} cannot go on: {}, at a step of {:.1g}/omega",
+                               gsl_odeiv2_step_name(driver_->s), reason, h_));
 }
 
 void GslIntegrator::count() { budget_.effort.spend(std::exchange(work_, 0)); }

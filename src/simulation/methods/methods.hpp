@@ -32,13 +32,13 @@ std::optional<Method> method_named(std::string_view name);
 struct MethodOptions {
   Start start = Start::sliding;
   /// rkf45, rk8pd, msbdf, tanh: error a step, relative and in units of mu0 <F_n>;
-  /// from 1e-15 to below 1.
+  /// from 1e-15 to 1e-3; tanh: to a tenth of the regularisation.
   double tolerance = 1e-10;
   /// moreau: 4 to 1e7.
   int steps_per_period = 2000;
   /// moreau: 1/2 (second order) to 1 (first order).
   double theta = 0.5;
-  /// tanh: w_reg in units of the drive velocity; > 0.
+  /// tanh: w_reg in units of the drive velocity; 1e-12 to 1.
   double regularisation = 1e-3;
   /// Newton on the period map by differences, all but reduced; else periods until they repeat.
   bool newton = true;

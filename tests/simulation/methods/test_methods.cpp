@@ -39,18 +39,21 @@ BOOST_AUTO_TEST_CASE(names_come_back) {
 }
 
 BOOST_AUTO_TEST_CASE(options_out_of_range_are_refused) {
-  const auto refused = [](auto change) {
+  const auto refused = [](auto change, Method method = Method::rk8pd) {
     MethodOptions options;
     change(options);
-    BOOST_CHECK_THROW(steady_state(Method::rk8pd, of_contact({1, 0, {}}), 0.1, options),
-                      InputError);
+    BOOST_CHECK_THROW(steady_state(method, of_contact({1, 0, {}}), 0.1, options), InputError);
   };
   refused([](MethodOptions& o) { o.tolerance = 0; });
+  refused([](MethodOptions& o) { o.tolerance = 2e-3; });
   refused([](MethodOptions& o) { o.tolerance = std::nan(""); });
   refused([](MethodOptions& o) { o.steps_per_period = 3; });
   refused([](MethodOptions& o) { o.steps_per_period = 10'000'001; });
   refused([](MethodOptions& o) { o.theta = 0.4; });
   refused([](MethodOptions& o) { o.regularisation = -1; });
+  refused([](MethodOptions& o) { o.regularisation = 1e-300; });
+  refused([](MethodOptions& o) { o.regularisation = 1.1; });
+  refused([](MethodOptions& o) { o.tolerance = 2e-4; }, Method::tanh);
 }
 
 // The estimates are of errors that scatter; nine in ten hold, and those that do not are within a
@@ -80,6 +83,35 @@ BOOST_AUTO_TEST_CASE(agree_with_the_exact_method_on_random_systems) {
     }
     BOOST_TEST(covered >= 0.9 * systems, to_text(method) << ": " << covered);
   }
+}
+
+// The roughest settings that are taken state an error that holds as often as the finer ones' does.
+BOOST_AUTO_TEST_CASE(the_roughest_settings_know_their_error) {
+  constexpr unsigned seed = 7100;
+  constexpr int systems = 60;
+  BOOST_TEST_MESSAGE("seed " << seed);
+  for (const Method method : integrating)
+    for (const double width : {1e-2, 1.0}) {
+      int covered = 0;
+      for (unsigned i = 0; i < systems; ++i) {
+        reference::RandomSystems random(seed + i, 1);
+        const System system = random.system();
+        const double velocity =
+            sliding_threshold(system).drive_velocity * random.logarithmic(0.03, 0.97);
+        MethodOptions options;
+        options.tolerance = 1e-3;
+        options.regularisation = width;
+        options.steps_per_period = 20;
+        const double exact = steady_state(system, velocity).friction_ratio;
+        try {
+          const SteadyState state = steady_state(method, system, velocity, options);
+          covered += std::abs(state.friction_ratio - exact) <= state.friction_ratio_error;
+        } catch (const ModelError&) {
+          ++covered;  // gives no number
+        }
+      }
+      BOOST_TEST(covered >= 0.85 * systems, to_text(method) << ", " << width << ": " << covered);
+    }
 }
 
 // F = min(eta v0, b) at each moment, as nothing is stored: no state at all.
