@@ -1,5 +1,7 @@
 #include "indenter/rim_friction.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -10,6 +12,8 @@
 #include "indenter/cell.hpp"
 #include "indenter/held_cells.hpp"
 #include "indenter/rim_motion.hpp"
+#include "indenter/rim_sliding.hpp"
+#include "simulation/system/system.hpp"
 
 namespace vcrit::indenter {
 
@@ -33,98 +37,15 @@ constexpr const char* rings =
     "body and drive are in undamped resonance with a harmonic of the normal force, which grows and "
     "shrinks with the contact area: the swing in slip grows without bound";
 
+constexpr const char* nearly_rings =
+    "body and drive swing freely at harmonic {} of the oscillation, within a part in 1e10: "
+    "rounding "
+    "decides how far";
+
 constexpr const char* without_bound =
     "where the indenter meets the surface its contact area grows like a root of time, and with it "
     "the "
     "force of the half-space's damper: springs alone follow without bound";
-
-/// A body sliding for ever below a drive at rest, and the numbers that its motion has at phase 0.
-class Sliding {
- public:
-  Sliding(const ScaledContact& contact, const ScaledHolder& holder, double tolerance,
-          SharedEffort* whole)
-      : motion_(contact, holder, 0, tolerance, whole, true), contact_(contact) {
-    find();
-  }
-
-  /// Whether the body swings freely at a harmonic of the normal force.
-  bool resonant() const { return resonant_; }
-  const State& body() const { return body_; }
-  double mean_force() const { return motion_.impulse() / two_pi; }
-  double mean_speed() const { return motion_.travel() / two_pi; }
-  double steps() const { return static_cast<double>(motion_.kept().size()); }
-
-  /// The largest rate of u less velocity of the body while touching.
-  double largest() const {
-    double most = -infinity;
-    for (const TimeStep& step : motion_.kept()) most = std::max(most, largest_in(step));
-    return most;
-  }
-
- private:
-  State after(const State& body) {
-    motion_.start(0, body);
-    motion_.run(two_pi);
-    return motion_.body();
-  }
-
-  // What the period does is linear in the body's numbers. Where its first spring takes what is left
-  // of the friction, that number is none.
-  void find() {
-    const Eigen::Index n = motion_.size();
-    const State zero = State::Zero(n), base = after(zero);
-    if (n == 0) return;  // a damper alone
-    Eigen::MatrixXd map(n, n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      State unit = zero;
-      unit(i) = 1;
-      map.col(i) = unit - (after(unit) - base);
-    }
-    if (motion_.first_given()) {
-      map.row(0).setZero();
-      map.col(0).setZero();
-      map(0, 0) = 1;
-    }
-    const Eigen::JacobiSVD<Eigen::MatrixXd> values(map);
-    constexpr double no_return = 1e-11;  // of 1 - e^{2 pi i (w_b/omega - n)}: n to 2e-12
-    resonant_ = values.singularValues().minCoeff() < no_return;
-    if (resonant_) return;
-    body_ = map.partialPivLu().solve(base);
-    after(body_);
-  }
-
-  double rise(double t, const TimeStep& step) const {
-    return contact_.depth_rate(t) - motion_.speed(t, step.at(t));
-  }
-
-  // The largest of samples, then by thirds, to where the maximum is flat.
-  double largest_in(const TimeStep& step) const {
-    const double length = step.end() - step.begin();
-    if (!contact_.touches(step.begin() + 0.5 * length)) return -infinity;
-    constexpr int samples = 16;
-    int best = 0;
-    double most = -infinity;
-    for (int i = 0; i <= samples; ++i)
-      if (const double found = rise(step.begin() + length * i / samples, step); found > most) {
-        most = found;
-        best = i;
-      }
-    double low = step.begin() + length * std::max(0, best - 1) / samples;
-    double high = step.begin() + length * std::min(samples, best + 1) / samples;
-    for (int i = 0; i < 60; ++i) {
-      const double a = low + (high - low) / 3, b = high - (high - low) / 3;
-      const double at_a = rise(a, step), at_b = rise(b, step);
-      most = std::max({most, at_a, at_b});
-      (at_a < at_b ? low : high) = at_a < at_b ? a : b;
-    }
-    return most;
-  }
-
-  RimMotion motion_;
-  const ScaledContact& contact_;
-  State body_;
-  bool resonant_ = false;
-};
 
 /// The steady motion at one velocity. Periods go by until they repeat. From time to time, Newton's
 /// method looks for where they lead: for the numbers of the body, at a phase at which no cell
@@ -259,6 +180,19 @@ class Held {
 
   const ScaledContact& contact() const { return contact_; }
   const ScaledHolder& holder() const { return holder_; }
+  /// Whether the body swings freely at a harmonic of the normal force. Throws ModelError next to
+  /// that.
+  bool resonant() const {
+    // Of the swing, which is the inverse of the share, four digits are left.
+    constexpr double too_near = 1e-10;
+    const Relaxation drive{holder_.spring, holder_.damper, holder_.branches};
+    if (simulation::free_harmonic(drive, holder_.mass, 1,
+                                  simulation::equal_in_roundings * epsilon) > 0)
+      return true;
+    if (const int n = simulation::nearly_free_harmonic(drive, holder_.mass, 1, too_near); n > 0)
+      throw ModelError(fmt::format(nearly_rings, n));
+    return false;
+  }
   /// Whether the body follows a force that grows without bound, since nothing is in its way.
   bool springs_without_bound() const {
     return contact_.force_rate_unbounded() && !(holder_.mass > 0) && !(holder_.damper > 0);
@@ -300,6 +234,7 @@ FrictionOfSpeed cells_friction(const HalfSpace& half_space, double tolerance) {
   // What is drawn takes a quarter of the time and errs four times as much.
   const int cells = tolerance < drawn_tolerance ? 100 : 50, steps = 6 * cells;
   const auto held = std::make_shared<const Held>(half_space, fine_force);
+  if (held->resonant()) throw ModelError(rings);
   const simulation::Onset onset = rim_threshold(half_space);
   const double largest = onset.drive_velocity / held->contact().speed_unit();
   // At which all slide, or nearly where none is high enough.
@@ -341,8 +276,8 @@ FrictionOfSpeed rim_friction(const HalfSpace& half_space, double tolerance) {
   if (!half_space.elastic()) return cells_friction(half_space, tolerance);
   const double rough = std::max(tolerance, coarse), fine = rough / finer;
   const auto held = std::make_shared<const Held>(half_space, fine_force);
+  if (held->resonant()) throw ModelError(rings);
   const std::shared_ptr<const Sliding> sliding = held->sliding(fine);
-  if (sliding->resonant()) throw ModelError(rings);
   return [=, largest = sliding->largest()](double velocity) {
     const double speed = velocity / held->contact().speed_unit();
     Friction result;
@@ -381,10 +316,10 @@ simulation::Onset rim_threshold(const HalfSpace& half_space) {
   const Held held(half_space, fine_force);
   const double unit = held.contact().speed_unit(), step = elastic ? finest : finest_below;
   if (held.springs_without_bound()) return {infinity, infinity, without_bound};
+  if (held.resonant()) return {infinity, infinity, rings};
   const std::optional<Held> other =
       elastic ? std::nullopt : std::optional<Held>(std::in_place, half_space, coarse_force);
   const auto rough = (other ? *other : held).sliding(coarse), sliding = held.sliding(step);
-  if (sliding->resonant()) return {infinity, infinity, rings};
   const double drive = sliding->largest();
   const bool creeps = !(half_space.holder()->drive.equilibrium > 0);
   const double contact = creeps ? drive + sliding->mean_speed() : drive;

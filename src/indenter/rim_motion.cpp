@@ -41,6 +41,15 @@ RimMotion::RimMotion(const ScaledContact& contact, const ScaledHolder& holder, d
   impulse_ = body_ + 2;
 }
 
+Eigen::VectorXd RimMotion::energy_weights() const {
+  Eigen::VectorXd result(body_);
+  if (holder_.mass > 0) result(0) = std::sqrt(holder_.mass);
+  if (holder_.spring > 0) result(spring_) = 1 / std::sqrt(holder_.spring);
+  for (std::size_t j = 0; j < holder_.branches.size(); ++j)
+    result(branches_ + static_cast<Eigen::Index>(j)) = 1 / std::sqrt(holder_.branches[j].stiffness);
+  return result;
+}
+
 int RimMotion::direction() const {
   if (mode_ == RimMode::forward) return 1;
   return mode_ == RimMode::backward ? -1 : 0;

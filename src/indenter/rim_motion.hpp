@@ -35,6 +35,10 @@ class RimMotion {
   /// what the others do not take, and no number of its own: it stays as it is.
   bool first_given() const { return holder_.mass == 0 && holder_.damper == 0; }
 
+  /// By which the body's numbers have to be multiplied for the sum of their squares to be twice the
+  /// energy: its period leads numbers closer together in this measure, or leaves them.
+  Eigen::VectorXd energy_weights() const;
+
   /// All touching cells slide forward, and none remembers anything.
   void start(double t, const State& body);
   void run(double until);

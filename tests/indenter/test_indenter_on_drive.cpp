@@ -330,6 +330,41 @@ BOOST_AUTO_TEST_CASE(a_body_in_resonance_with_a_harmonic) {
   const simulation::Onset onset = rim_threshold(half_space);
   BOOST_TEST(std::isinf(onset.drive_velocity));
   BOOST_TEST(!onset.why_infinite.empty());
+  BOOST_TEST(test::refused<ModelError>(
+      [] {
+        rim_threshold(held({0.5, 4 * (1 + 1e-11), 0, 1}));
+      },
+      "harmonic 2 of the oscillation, within a part in 1e10"));
+}
+
+// Body and drive are at rest as seen from the oscillation: v* = omega du_z mu0 E*/G*, however heavy
+// the body.
+BOOST_AUTO_TEST_CASE(a_body_too_heavy_to_swing) {
+  for (const double mass : {1e13, 1e15, 1e18, 1e24})
+    for (const auto& [spring, damper] : {std::pair(1.0, 0.0), {1e4, 0.1}}) {
+      const double expected = 0.3 * 0.5 / shear_ratio;
+      const HalfSpace half_space = held({0.5, spring, damper, mass});
+      BOOST_TEST(rim_threshold(half_space).drive_velocity == expected,
+                 boost::test_tools::tolerance(3e-13));
+      BOOST_TEST(friction(half_space, 0.5 * expected).ratio < 1);
+    }
+}
+
+// A branch that hardly relaxes is a spring, but for what relaxes in one period.
+BOOST_AUTO_TEST_CASE(a_branch_too_slow_to_relax) {
+  const double as_spring = rim_threshold(held({0.5, 7, 0, 0.3})).drive_velocity;
+  const double stiffness = 2;
+  for (const double damper : {1e11, 1e12, 3e12, 1e13, 3e13, 1e14, 1e16, 1e18}) {
+    const HalfSpace half_space = held({.amplitude = 0.5,
+                                       .spring = 5,
+                                       .mass = 0.3,
+                                       .network = "kd | (k2 - c2)",
+                                       .elements = fmt::format("k2 = 2\nc2 = {:g}\n", damper)});
+    const simulation::Onset onset = rim_threshold(half_space);
+    BOOST_TEST_CONTEXT("damper " << damper)
+    BOOST_TEST(onset.drive_velocity == as_spring,
+               boost::test_tools::tolerance(2e-12 + 2 * pi * stiffness / damper));
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

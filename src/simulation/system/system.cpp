@@ -100,22 +100,27 @@ std::vector<int> undamped_harmonics(const System& system) {
 // Where Re K_d = m s^2 the network of the drive, springs and dampers, answers to a share of 1e-5
 // alike over a tenth of the frequency if its loss is as faint; and as no such network stiffens as
 // fast as inertia does, there is one place only, to which these steps lead.
+int nearly_free_harmonic(const Relaxation& drive, double mass, double omega, double within) {
+  constexpr int most_steps = 50;
+  if (!(mass > 0)) return 0;
+  const auto stiffness = [&](double s) { return dynamic_stiffness(drive, s); };
+  double swing = std::sqrt(glassy_stiffness(drive) / mass);
+  for (int i = 0; i < most_steps; ++i) swing = std::sqrt(stiffness(swing).real() / mass);
+  const double n = std::round(swing / omega);
+  if (!(n >= 1 && n <= 1e6)) return 0;
+  const double s = n * omega, inertia = mass * s * s;
+  return std::abs(stiffness(s) - inertia) <= within * inertia ? static_cast<int>(n) : 0;
+}
+
 int nearly_free_harmonic(const System& system) {
   constexpr double near_harmonic = 1e-5;
-  constexpr int most_steps = 50;
   if (system.masses) {
     // Of the stiffness, which is as the square of the frequency.
     const std::vector<int> harmonics = harmonics_of_poles(system, near_harmonic / 2);
     return harmonics.empty() ? 0 : harmonics.front();
   }
-  if (!system.drive || !system.mass || !(*system.mass > 0)) return 0;
-  const auto stiffness = [&](double s) { return dynamic_stiffness(*system.drive, s); };
-  double swing = std::sqrt(glassy_stiffness(*system.drive) / *system.mass);
-  for (int i = 0; i < most_steps; ++i) swing = std::sqrt(stiffness(swing).real() / *system.mass);
-  const double n = std::round(swing / system.omega);
-  if (!(n >= 1 && n <= 1e6)) return 0;
-  const double s = n * system.omega, inertia = *system.mass * s * s;
-  return std::abs(stiffness(s) - inertia) <= near_harmonic * inertia ? static_cast<int>(n) : 0;
+  if (!system.drive || !system.mass) return 0;
+  return nearly_free_harmonic(*system.drive, *system.mass, system.omega, near_harmonic);
 }
 
 std::string why_sticks_linger(const System& system) {
@@ -133,8 +138,8 @@ void hold_by(System& system, DriveStructure structure) {
   DriveMotion motion = drive_motion(structure);
   system.drive.reset();
   system.mass.reset();
-  system.masses = std::make_shared<DriveWithMasses>(
-      DriveWithMasses{std::move(structure), std::move(motion)});
+  system.masses =
+      std::make_shared<DriveWithMasses>(DriveWithMasses{std::move(structure), std::move(motion)});
 }
 
 System system_of(const Problem& problem) {

@@ -50,11 +50,13 @@ int free_harmonic(const Relaxation& drive, double mass, double omega, double wit
 /// only a drive at one as exact numbers, to 30 digits, is known to be in resonance.
 int free_harmonic(const System& system);
 
-/// n where the body swings nearly freely at the n-th harmonic, on a drive of any network: springs
-/// and inertia cancel there and losses are faint, |K_d(i n omega) - m (n omega)^2| within a part in
-/// 1e5 of m (n omega)^2. A share d off a free harmonic, a cycle with sticks that die away repeats
-/// to within d of itself: below 1e-5, rounding and a search's own error of some 1e-12 take it for a
-/// steady one.
+/// n where a body swings nearly freely at the n-th harmonic, on a drive of any network: springs and
+/// inertia cancel there and losses are faint, |K_d(i n omega) - m (n omega)^2| is at most the share
+/// `within` of m (n omega)^2.
+int nearly_free_harmonic(const Relaxation& drive, double mass, double omega, double within);
+/// Of the system's body, within a part in 1e5. A share d off a free harmonic, a cycle with sticks
+/// that die away repeats to within d of itself: below 1e-5, rounding and a search's own error of
+/// some 1e-12 take it for a steady one.
 int nearly_free_harmonic(const System& system);
 
 /// Why the sticks of a closed contact never end but become ever shorter, "the body swings freely at
