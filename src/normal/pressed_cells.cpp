@@ -6,6 +6,7 @@
 #include <complex>
 #include <vector>
 
+#include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "normal/gap.hpp"
 #include "normal/normal_force.hpp"
@@ -21,6 +22,17 @@ using Kronrod21 = boost::math::quadrature::gauss_kronrod<double, 21>;
 
 constexpr int most_doublings = 1100;  // all exponents of doubles
 
+/// sin x - x cos x for 0 <= x <= pi, the excess of a mean over its clipped part: x^3/3 - x^5/30 ...
+double sine_less_arc(double x) {
+  if (x > 1) return std::sin(x) - x * std::cos(x);
+  double term = x * x * x / 3, sum = term;
+  for (int k = 2; std::abs(term) > epsilon * sum; ++k) {
+    term *= -x * x / (2 * (k - 1) * (2 * k + 1.0));
+    sum += term;
+  }
+  return sum;
+}
+
 class Cells {
  public:
   explicit Cells(const Problem& problem)
@@ -32,7 +44,8 @@ class Cells {
     if (!(stiffness_ > 0)) throw ModelError("the half-space carries no static load: E(0) = 0");
     const double omega = problem.value(problem->angular_frequency);
     swing_ = amplitude_ * std::abs(dynamic_stiffness(normal, omega)) / stiffness_;
-    modes_ = modes_of({normal, 0, amplitude_}, omega);
+    elastic_ = !(normal.damper > 0) && normal.branches.empty();
+    if (!elastic_) modes_ = modes_of({normal, 0, amplitude_}, omega);
   }
 
   double indentation(double load) const {
@@ -70,6 +83,11 @@ class Cells {
   PressedForce cell_under(double depth) const {
     if (depth >= swing_) return {stiffness_ * depth, stiffness_};
     if (!(depth + amplitude_ > 0)) return {};
+    if (elastic_) {
+      // Closed for 2 arc of a period: depth + amplitude cos t > 0 for |t| < arc.
+      const double arc = 2 * std::asin(std::sqrt(0.5 * (1 + depth / amplitude_)));
+      return {stiffness_ * amplitude_ * sine_less_arc(arc) / pi, stiffness_ * arc / pi};
+    }
     const PressedCycle found = pressed_cycle(modes_, {depth, amplitude_}, &effort_);
     return {found.cycle.mean, found.slope};
   }
@@ -95,6 +113,7 @@ class Cells {
 
   vcrit::indenter::Gap gap_;
   double amplitude_, stiffness_ = 0, swing_ = 0;
+  bool elastic_ = false;
   ContactModes modes_;
   mutable SharedEffort effort_{effort_of_pressing};
 };
