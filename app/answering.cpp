@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/errors.hpp"
+#include "program.hpp"
 #include "rules/rulebook.hpp"
 
 namespace vcrit::app {
@@ -49,7 +50,7 @@ Refusal no_friction(const Problem& problem) {
   return first_refusal(no_motion(problem), [&] { return no_onset(problem); });
 }
 
-// Whatever the amplitude, which may be what is sought.
+// For any amplitude, since that may be what is sought.
 Refusal no_design(const Problem& problem) {
   const Problem still = problem.with({{problem->amplitude.symbol, 0}});
   return first_refusal(refusal_by(rules::Question::mean_load, still),
@@ -60,7 +61,7 @@ Refusal no_evaluator(const Problem& problem) {
   return refusal_by(rules::Question::evaluator, problem);
 }
 
-// A report shows what there is.
+// A report is always written, without the parts that have no answer.
 Refusal no_report(const Problem& problem) {
   problem.values();
   return std::nullopt;
@@ -99,12 +100,12 @@ CommandAnswer answer_by_rulebook(const CommandRow& row, const Problem& problem) 
   CommandAnswer result{row.name};
   try {
     if (const auto found = row.refusal(problem))
-      return {row.name, false, found->reason, found->advice};
+      return {row.name, false, with_options(found->reason), with_options(found->advice)};
     for (const auto& [part, words] : row.parts)
       if (const rules::Answer found = rules::answer(part, problem); !found)
         result.left_out.push_back(std::string(words) + ": " + found.reason);
   } catch (const InputError& missing) {
-    return {row.name, false, missing.found(), missing.expected()};
+    return {row.name, false, missing.found(), with_options(missing.expected())};
   } catch (const ModelError& unknown) {
     return {row.name, false, unknown.what(), ""};
   }

@@ -1,5 +1,5 @@
-// vcrit check: all that is wrong with scenes, at once, and which commands answer for those that are
-// right. The answer itself tells what is wrong, so that it is on stdout.
+// vcrit check: all problems of scenes at once, and which commands answer for scenes without errors.
+// The problems are what was asked for, so they are printed on stdout.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -123,7 +123,7 @@ CheckedScene checked_scene(const std::string& file) {
   return scene;
 }
 
-// All are read before anything is told.
+// All scenes are read before the first line is printed.
 CheckedScenes checked_scenes(const std::vector<std::string>& files) {
   CheckedScenes all;
   for (const std::string& file : files) all.scenes.push_back(checked_scene(file));

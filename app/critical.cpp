@@ -31,7 +31,7 @@ struct CriticalComparison {
   std::optional<double> stick_onset = {};
   std::string missing = {};     // why there is no stick onset
   double uncertainty = 0;       // to either side of it: what rounding leaves open
-  double of_fit = 0;              // relative, of v* by a structure fitted to a measured drive's table
+  double of_fit = 0;            // relative, of v* by a structure fitted to a measured drive's table
   int cells = 0, answered = 0;  // below an indenter: asked for it, and those with a steady state
   std::vector<std::string> warnings = {};
 
@@ -87,9 +87,9 @@ double condition_of(const Problem& problem, double formula) {
       leaves_digits(motion_tolerance(exact)))
     return exact;
   throw ModelError(
-      fmt::format("the simulator, which works in doubles, has no digit of v* = {} m/s: body and "
+      fmt::format("the simulator, which works in doubles, has no digit of v* = {}: body and "
                   "drive are too near an undamped resonance or antiresonance: nothing to compare",
-                  formula),
+                  rounded(formula, "m/s")),
       "vcrit eval gives v* with all digits");
 }
 
@@ -162,8 +162,9 @@ void print_critical_text(const CriticalComparison& c, int digits) {
   else
     print_row("stick onset", "not found: " + c.missing);
   if (c.of_fit > 0)
-    print_row("drive", fmt::format("a structure fitted to the table, by which v* may be off by {:.2g}",
-                                   c.of_fit));
+    print_row(
+        "drive",
+        fmt::format("a structure fitted to the table, by which v* may be off by {:.2g}", c.of_fit));
   if (c.answered < c.cells)
     print_row("", fmt::format("{} of {} cells have a steady state", c.answered, c.cells));
 }

@@ -64,7 +64,13 @@ void print_intervals(const std::vector<KnownStiffness>& known, int digits) {
                interval(at.loss_interval));
 }
 
-void print_fit_text(const FitContents& result, int digits) {
+// Without one of these the scene lacks a number.
+bool is_complete(const fit::Rest& rest) {
+  return !rest.frequency.empty() && !rest.amplitude.empty() && !rest.indentation.empty() &&
+         !rest.coefficient.empty() && !rest.poisson.empty();
+}
+
+void print_fit_text(const FitContents& result, bool complete, int digits) {
   const Fit& fit = result.fit;
   for (const std::string& words : result.words) fmt::print("{}\n", words);
   if (fit.equilibrium) fmt::print("  k0   {}\n", uncertain_words(*fit.equilibrium, "N/m", digits));
@@ -73,7 +79,8 @@ void print_fit_text(const FitContents& result, int digits) {
     fmt::print("  k    {:<26} tau  {}\n", uncertain_words(k, "N/m", digits),
                uncertain_words(tau, "s", digits));
   print_intervals(result.known, digits);
-  fmt::print("{}\n{}\n", result.scene, result.page);
+  fmt::print("Wrote {} and, with data and series, {}.\n", result.scene, result.page);
+  if (!complete) fmt::print("It lacks numbers, which vcrit check {} names.\n", result.scene);
 }
 
 std::vector<NewFile> figure_files(const Data& data, const Fit& fit, const std::string& directory) {
@@ -101,7 +108,7 @@ std::vector<std::string> spelled_words(const Data& data, const Fit& fit) {
   return all;
 }
 
-/// A flat punch of more than this is no punch of a tester: millimetres without their unit.
+/// No tester has a larger flat punch: such a number was meant in millimetres.
 constexpr double widest_punch = 0.05;  // m
 
 void warn_of_wide_punch(const std::string& radius) {
@@ -139,7 +146,7 @@ void run_fit(const FitOptions& options) {
   if (options.json)
     print(record::json_of(contents));
   else
-    print_fit_text(contents, options.digits);
+    print_fit_text(contents, is_complete(options.rest), options.digits);
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ constexpr double starts_tolerance = 2e-9;
 // With the default tolerance further digits are not known.
 constexpr int cell_digits = 9;
 
-// A cell has a line's end for its words.
+// Short, for the end of a cell's line.
 const char* words_of(simulation::Regime regime) {
   using simulation::Regime;
   switch (regime) {

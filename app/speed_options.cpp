@@ -6,6 +6,7 @@
 
 #include "answers/critical_onset.hpp"
 #include "base/errors.hpp"
+#include "base/rounded.hpp"
 #include "base/units.hpp"
 #include "options.hpp"
 
@@ -36,7 +37,7 @@ Speed SpeedOptions::of(const Problem& problem) const {
                                    : parse_quantity(velocity_, Dimension::velocity, {"--velocity"});
   if (!(velocity > 0 && std::isfinite(velocity)))
     throw InputError({by_ratio ? "--velocity-ratio" : "--velocity"},
-                     fmt::format("a speed of {} m/s", velocity), "a finite speed above 0");
+                     "a speed of " + rounded(velocity, "m/s"), "a finite speed above 0");
   return {velocity, velocity / critical};
 }
 

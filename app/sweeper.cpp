@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,6 +16,7 @@
 #include "answers/realised_friction.hpp"
 #include "base/constants.hpp"
 #include "base/numbers.hpp"
+#include "base/rounded.hpp"
 #include "base/units.hpp"
 #include "problem/variants.hpp"
 #include "program.hpp"
@@ -60,7 +63,7 @@ void warn_of_axes(Sweep& sweep) {
   }
 }
 
-/// A folder that is not there may be a slip of the pen.
+/// A folder that does not exist may be a typing error.
 void warn_of_folder(const SweepOptions& options, Sweep& sweep) {
   const auto folder = std::filesystem::path(options.out).parent_path();  // none without a file
   std::error_code ignored;
@@ -151,15 +154,16 @@ std::string heading(const std::string& name, const std::string& unit) {
   return unit.empty() || unit == "1" ? name : fmt::format("{} [{}]", name, unit);
 }
 
-/// With units for people; the header of a file has names alone.
-std::vector<std::string> headings(const Sweep& sweep, bool with_units) {
-  std::vector<std::string> names;
-  for (const Axis& axis : sweep.axes)
-    names.push_back(with_units ? heading(axis.name, si_unit(axis.dimension)) : axis.name);
+struct TableColumn {
+  std::string name, unit;  // SI
+};
+
+std::vector<TableColumn> columns_of(const Sweep& sweep) {
+  std::vector<TableColumn> all;
+  for (const Axis& axis : sweep.axes) all.push_back({axis.name, si_unit(axis.dimension)});
   for (const SweptQuantity& quantity : sweep.quantities)
-    names.push_back(with_units ? heading(column_name(quantity), unit(quantity))
-                               : column_name(quantity));
-  return names;
+    all.push_back({column_name(quantity), unit(quantity)});
+  return all;
 }
 
 double table_value(const SweptTable& table, std::size_t row, std::size_t column) {
@@ -173,21 +177,55 @@ std::optional<std::string> word_in(const Sweep& sweep, std::size_t column, doubl
   return word_of(sweep.quantities[column - axes], value);
 }
 
-void print_table(const Sweep& sweep, const SweptTable& table, bool csv) {
-  std::vector<std::vector<std::string>> lines{headings(sweep, !csv)};
+/// As a file has it: names alone above, all digits in SI units.
+void print_csv(const Sweep& sweep, const SweptTable& table) {
+  std::vector<std::string> cells;
+  for (const TableColumn& column : columns_of(sweep)) cells.push_back(column.name);
+  fmt::print("{}\n", fmt::join(cells, ","));
   for (std::size_t row = 0; row < table.rows; ++row) {
-    lines.emplace_back();
-    for (std::size_t column = 0; column < table.columns.size(); ++column) {
+    for (std::size_t column = 0; column < cells.size(); ++column) {
       const double value = table_value(table, row, column);
-      lines.back().push_back(word_in(sweep, column, value).value_or(to_text(value)));
+      cells[column] = word_in(sweep, column, value).value_or(to_text(value));
     }
+    fmt::print("{}\n", fmt::join(cells, ","));
   }
-  std::vector<std::size_t> widths(table.columns.size());
-  for (const auto& line : lines)
-    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
+}
+
+/// In a unit that reads well for the largest of the column.
+UnitScale scale_of_column(const SweptTable& table, std::size_t column, const std::string& unit) {
+  double largest = 0;
+  for (std::size_t row = 0; row < table.rows; ++row)
+    if (const double size = std::abs(table_value(table, row, column)); std::isfinite(size))
+      largest = std::max(largest, size);
+  return scale_for(largest, unit);
+}
+
+std::size_t count_characters(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
+  }));
+}
+
+/// For people: each column in one unit, numbers in four digits.
+void print_table(const Sweep& sweep, const SweptTable& table) {
+  std::vector<std::vector<std::string>> lines(table.rows + 1);
+  for (const TableColumn& column : columns_of(sweep)) {
+    const std::size_t at = lines.front().size();
+    const UnitScale scale = scale_of_column(table, at, column.unit);
+    lines.front().push_back(heading(column.name, scale.unit));
+    for (std::size_t row = 0; row < table.rows; ++row) {
+      const double value = table_value(table, row, at);
+      const std::string number = std::isnan(value) ? "nan" : rounded(value * scale.factor, "");
+      lines[row + 1].push_back(word_in(sweep, at, value).value_or(number));
+    }
+    std::size_t width = 0;
+    for (const auto& line : lines) width = std::max(width, count_characters(line[at]));
+    for (auto& line : lines) line[at].append(width - count_characters(line[at]), ' ');
+  }
   for (auto& line : lines) {
-    for (std::size_t i = 0; !csv && i + 1 < line.size(); ++i) line[i].resize(widths[i], ' ');
-    fmt::print("{}\n", fmt::join(line, csv ? "," : "  "));
+    std::string& last = line.back();
+    last.erase(last.find_last_not_of(' ') + 1);
+    fmt::print("{}\n", fmt::join(line, "  "));
   }
 }
 
@@ -211,9 +249,10 @@ void print_sweep(const SweepOptions& options, const Sweep& sweep) {
   if (table.outside == table.rows) throw ModelError(table.reason);
   const maps::Streamed rows{table.rows, table.rows, table.outside, table.reason};
   warn_of_rows_outside(rows);
-  if (!options.json) return print_table(sweep, table, options.out == "-");
+  if (!options.json)
+    return options.out == "-" ? print_csv(sweep, table) : print_table(sweep, table);
   record::Json object = record::json_of(Swept{options.out, rows, sweep.problem->source->warnings});
-  object["columns"] = headings(sweep, false);
+  object["columns"] = table.columns;
   object["table"] = json_table(sweep, table);
   print(object);
 }

@@ -37,7 +37,7 @@ std::vector<std::string> command_names(const std::vector<const CLI::App*>& comma
   return names;
 }
 
-/// Those of its groups, which have no name, too.
+/// With those of its groups, which have no name.
 std::vector<std::string> long_options(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options())

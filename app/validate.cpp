@@ -1,5 +1,5 @@
-// vcrit validate: everything compared with everything, of scenes, of the paper or at extremes, as
-// pages and one JSON file.
+// vcrit validate: cross-checks of scenes, of the paper or at extreme numbers, as pages and one JSON
+// file.
 #include "report/validate.hpp"
 
 #include <fmt/core.h>

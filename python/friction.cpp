@@ -1,5 +1,4 @@
 // Friction by simulation: what `vcrit simulate` answers, at one speed or at many.
-#include <fmt/core.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include "answers/friction.hpp"
 #include "answers/realised_friction.hpp"
 #include "arrays.hpp"
+#include "base/rounded.hpp"
 #include "base/units.hpp"
 #include "bindings.hpp"
 #include "interrupt.hpp"
@@ -26,7 +26,7 @@ namespace {
 
 using simulation::SteadyState;
 
-// The place of the first speed that is none; a speed that is not known (NaN) is no wrong one.
+// The index of the first invalid speed. NaN stands for an unknown speed and is allowed.
 std::optional<std::size_t> first_refused_speed(const Array& velocities) {
   const std::span<const double> all = values(velocities);
   const auto wrong = std::find_if(all.begin(), all.end(), [](double velocity) {
@@ -37,7 +37,7 @@ std::optional<std::size_t> first_refused_speed(const Array& velocities) {
 }
 
 void refuse_speed(double velocity, const std::string& name) {
-  throw InputError(argument(name), fmt::format("a speed of {} m/s", velocity),
+  throw InputError(argument(name), "a speed of " + rounded(velocity, "m/s"),
                    "a finite speed above 0");
 }
 
@@ -113,7 +113,7 @@ struct Curve {
   }
 };
 
-// Speeds that are found one from another, as in `vcrit sweep`; Ctrl-C is heard between two lots.
+// Each speed starts from the one before, as in `vcrit sweep`. Ctrl-C is noticed between two lots.
 constexpr std::size_t speeds_at_once = 32;
 
 py::tuple friction_curve(const Problem& problem, const Array& velocities, Array ratio,

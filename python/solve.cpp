@@ -32,7 +32,7 @@ std::optional<double> end_of_range(const std::string& text, Sought sought, const
   return parse_quantity(text, dimension_of(sought), argument(name));
 }
 
-/// The smallest frequency is one because all below it were asked.
+/// The smallest frequency is known to be it, because all below it were searched.
 std::optional<std::string> warning_of_range(const design::DesignQuestion& question,
                                             const design::DesignAnswer& answer) {
   if (question.sought != Sought::frequency) return std::nullopt;

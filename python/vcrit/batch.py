@@ -75,7 +75,7 @@ def _refuse_room(out: Any) -> None:
 
 def _refuse_wrong(formula: _vcrit.CriticalVelocities, columns: list[Array],
                   arrays: list[int]) -> None:
-    """Before anything is written: names the place of the first value that the scene may not have."""
+    """Refuses the first value that is out of range, names its place, and leaves `out` untouched."""
     if not arrays:
         wrong = formula.first_refused(columns, 1)
         if wrong is not None:

@@ -31,7 +31,7 @@ class Limit(NamedTuple):
     """v* in the limit."""
     latex: str
     definitions: tuple[Equation, ...]
-    """Of the names in it that are no symbols of the scene."""
+    """Definitions of the names in it that are not symbols of the scene."""
 
     def _repr_latex_(self) -> str:
         return _displayed([each.latex for each in self.definitions] + ["v^{*} = " + self.latex])
@@ -81,7 +81,7 @@ class Derivation:
 
     @property
     def definitions(self) -> tuple[Equation, ...]:
-        """Of the names in the result that are no symbols of the scene, each of earlier ones."""
+        """Definitions of the names in the result that are not symbols of the scene, each by earlier ones."""
         return _equations(self._found["definitions"])
 
     @cached_property

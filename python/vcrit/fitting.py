@@ -70,11 +70,11 @@ class Fit:
     """Relative error of the data, estimated; None where the data have errors of their own."""
     degrees_of_freedom: int
     order_in_doubt: bool
-    """Noise leaves the number of branches in doubt."""
+    """With this noise another number of branches fits as well."""
     exhausted: bool
     """The last of max_branches branches still helped."""
     words: tuple[str, ...]
-    """What to mind, a sentence each."""
+    """Remarks on the fit, one sentence each."""
 
     @cached_property
     def scene(self) -> Scene:

@@ -17,7 +17,7 @@ ma: Any = np.ma
 
 
 Parse: TypeAlias = Callable[[str], float]
-"""What a text with a unit is in SI; raises InputError."""
+"""The SI value of a text with a unit; raises InputError."""
 
 
 class Numbers(NamedTuple):
@@ -77,7 +77,7 @@ def number_with_unit(given: Any, place: str) -> str:
 
 
 def text_with_unit(given: Any, place: str) -> str:
-    """The same; a text is taken as it is, and nothing is the empty one."""
+    """The same; a text stays as it is, and None becomes the empty text."""
     if given is None:
         return ""
     return characters(given, place) if is_text(given) else number_with_unit(given, place)

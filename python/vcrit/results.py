@@ -1,4 +1,4 @@
-"""What a scene answers."""
+"""Results of a scene."""
 
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -81,7 +81,7 @@ class _SteadyMotion(NamedTuple):
     velocity_ratio: float
     """Drive speed as a multiple of v*."""
     friction_ratio: float
-    """mu_macro/mu0."""
+    """Mean friction over that without vibration, mu/mu0."""
     friction_ratio_error: float
     """Estimate of its absolute error."""
     regime: str
@@ -128,7 +128,7 @@ class FrictionCurve(NamedTuple):
     velocity_ratio: npt.NDArray[np.float64]
     """Drive speed as a multiple of v*."""
     friction_ratio: npt.NDArray[np.float64]
-    """mu_macro/mu0; NaN where no steady state is found."""
+    """Mean friction over that without vibration, mu/mu0; NaN where no steady state is found."""
     friction_ratio_error: npt.NDArray[np.float64]
     """Estimate of its absolute error."""
     regime: npt.NDArray[np.str_]

@@ -1,4 +1,4 @@
-"""A scene: what is there, and what follows from it."""
+"""A scene: the system that a file describes, and the answers about it."""
 
 import os
 import warnings
@@ -130,7 +130,7 @@ class Scene:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What stands in the file and has no effect; and that the frequency is beyond its
+        """Warnings: entries of the file that have no effect, and a frequency beyond its
         fitted_range."""
         return tuple(self._handle.warnings)
 
@@ -176,7 +176,7 @@ class Scene:
 
     @property
     def critical_onset(self) -> CriticalOnset:
-        """v* of the motion: by Eq. (24) where it holds, else, where the contact opens, simulated.
+        """v* of the motion: by Eq. (24) where that holds, by simulation where the contact opens.
 
         Raises InputError for missing values, ModelError where v* is 0/0 or the scene is outside
         the model.
@@ -185,7 +185,7 @@ class Scene:
 
     @property
     def drive_velocity(self) -> float:
-        """m/s: v*, and what the drive must run faster where a network on the path creeps."""
+        """m/s: speed of the drive at v*. It is larger than v* where a network on the path creeps."""
         return self.critical_onset.drive_velocity
 
     @overload

@@ -12,6 +12,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/rounded.hpp"
 #include "realisation/realisation.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
@@ -177,9 +178,10 @@ Complex between_rows(const Realisation& realised, const Receptance& table, doubl
 std::string range_words(const RealisedFriction& found, double omega, const Receptance& table) {
   const int first = found.outside.front();
   return fmt::format(
-      "{} omega = {:.4g} rad/s lies outside the table (to {:.4g}): friction below v* rests on an "
-      "extrapolation, error {:.1g}",
-      first, first * omega, table.rows.back().omega, found.error);
+      "harmonic {} of the oscillation, {}, lies outside the table (to {}): friction below v* rests "
+      "on an extrapolation, error {:.1g}",
+      first, rounded_frequency(first * omega), rounded_frequency(table.rows.back().omega),
+      found.error);
 }
 
 }  // namespace

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
+
+#include "base/constants.hpp"
 
 namespace vcrit {
 
@@ -18,23 +20,28 @@ struct DecimalNumber {
   int exponent = 0;
 };
 
+/// Those of the shortest text that reads back to the same double, or zeros more.
+int shortest_digits(double value) {
+  const std::string text = fmt::format("{}", value);
+  const auto end =
+      text.begin() + static_cast<std::ptrdiff_t>(std::min(text.find('e'), text.size()));
+  const auto first = std::find_if(text.begin(), end, [](char c) { return c >= '1' && c <= '9'; });
+  const auto digits = end - first - std::count(first, end, '.');
+  return std::clamp(static_cast<int>(digits), 1, all_digits);
+}
+
 /// Of a finite value, without its sign. The prefix moves the point of this text, so that it takes
 /// no digit.
 DecimalNumber decimal_number(double value, int digits) {
-  constexpr auto form = std::chars_format::scientific;
-  std::array<char, 64> text{};
-  char* const begin = text.data();
-  char* const end = begin + text.size();
   value = std::abs(value);
-  const char* last = digits >= all_digits ? std::to_chars(begin, end, value, form).ptr
-                                          : std::to_chars(begin, end, value, form, digits - 1).ptr;
-  const char* const e = std::find<const char*>(begin, last, 'e');
+  if (digits >= all_digits) digits = shortest_digits(value);
+  const std::string text = fmt::format("{:.{}e}", value, digits - 1);
+  const std::size_t e = text.find('e');
   DecimalNumber number;
-  std::copy_if<const char*>(begin, e, std::back_inserter(number.digits),
-                            [](char c) { return c != '.'; });
+  std::copy_if(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(e),
+               std::back_inserter(number.digits), [](char c) { return c != '.'; });
   while (number.digits.size() > 1 && number.digits.back() == '0') number.digits.pop_back();
-  const char* const exponent = e + (e[1] == '+' ? 2 : 1);
-  std::from_chars(exponent, last, number.exponent);
+  number.exponent = std::stoi(text.substr(e + 1));
   return number;
 }
 
@@ -50,13 +57,14 @@ std::string prefixed(int power, std::string_view unit) {
 }
 
 /// For numbers of 10^exponent. People write 0.1 µm rather than 100 nm, N/µm rather than MN/m, and
-/// no kilometre, kilosecond or megagram.
+/// no kilometre, kilosecond, megagram, millihertz or mN/m.
 ChosenUnit chosen_unit(int exponent, std::string_view unit) {
   if (unit.empty() || unit == "1") return {0, ""};
   if (unit == "rad/s" || unit == "rad") return {0, std::string(unit)};
   const int thousands = 3 * static_cast<int>(std::floor(exponent / 3.0));
   const bool small_alone = unit == "m" || unit == "m/s" || unit == "s" || unit == "kg";
-  int power = std::clamp(thousands, -12, small_alone ? 0 : 9);
+  const bool large_alone = unit == "Hz" || unit == "N/m";
+  int power = std::clamp(thousands, large_alone ? 0 : -12, small_alone ? 0 : 9);
   if (unit == "m" && exponent == -7) power = -6;
   if (unit == "kg") return {power, power == 0 ? "kg" : prefixed(power + 3, "g")};
   if (unit == "N/m" && power >= 6) return {power, prefixed(power - 6, "N/µm")};
@@ -84,6 +92,18 @@ std::string with_unit(const std::string& number, const std::string& unit) {
   return unit.empty() ? number : number + " " + unit;
 }
 
+/// The nearest of four digits, or its neighbour on the side of `towards` (1: above, -1: below).
+std::string rounded_towards(int towards, double value, std::string_view unit) {
+  if (!std::isfinite(value) || value == 0) return rounded(value, unit);
+  const double step = std::pow(10.0, decimal_number(value, all_digits).exponent + 1 - few_digits);
+  if (!(step > 0)) return rounded(value, unit);
+  // 0.5 µm may be 499.99999999999994 nm.
+  constexpr double rounding = 1e-12;
+  const double steps = value / step, little = rounding * std::abs(steps);
+  return rounded((towards > 0 ? std::ceil(steps - little) : std::floor(steps + little)) * step,
+                 unit);
+}
+
 }  // namespace
 
 std::string rounded(double value, std::string_view unit, int digits) {
@@ -101,6 +121,25 @@ std::string rounded(double value, std::string_view unit, int digits) {
 
 std::string rounded(double value, Dimension dimension, int digits) {
   return rounded(value, si_unit(dimension), digits);
+}
+
+std::string rounded_frequency(double omega, int digits) {
+  return rounded(omega / two_pi, "Hz", digits);
+}
+
+std::string rounded_down(double value, std::string_view unit) {
+  return rounded_towards(-1, value, unit);
+}
+
+std::string rounded_up(double value, std::string_view unit) {
+  return rounded_towards(1, value, unit);
+}
+
+std::pair<std::string, std::string> rounded_apart(double a, double b, std::string_view unit) {
+  for (int digits = few_digits;; ++digits) {
+    std::pair both(rounded(a, unit, digits), rounded(b, unit, digits));
+    if (both.first != both.second || a == b || digits == all_digits) return both;
+  }
 }
 
 std::string whole_percent(double share) {

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/units.hpp"
 
@@ -17,6 +18,17 @@ inline constexpr int few_digits = 4, all_digits = 17;
 /// no number is "not a number". Powers of ten are shown beyond the prefixes alone: "2 × 10⁻³⁰ m".
 std::string rounded(double value, std::string_view unit, int digits = few_digits);
 std::string rounded(double value, Dimension dimension, int digits = few_digits);
+
+/// "20 kHz" of an angular frequency (rad/s).
+std::string rounded_frequency(double omega, int digits = few_digits);
+
+/// Of a bound, in four digits: not above the value (down) or not below it (up), but for the
+/// rounding of doubles. "below 0.3968 µm" of 0.39686 µm.
+std::string rounded_down(double value, std::string_view unit);
+std::string rounded_up(double value, std::string_view unit);
+
+/// Both with as many digits, four or more, as tell them apart.
+std::pair<std::string, std::string> rounded_apart(double a, double b, std::string_view unit);
 
 /// A share as "25 %": whole per cent, rounded down, and one digit below 1 %.
 std::string whole_percent(double share);

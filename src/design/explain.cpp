@@ -7,6 +7,7 @@
 
 #include "answers/critical_onset.hpp"
 #include "base/constants.hpp"
+#include "base/rounded.hpp"
 #include "critical/admissibility.hpp"
 
 namespace vcrit::design {
@@ -14,24 +15,30 @@ namespace vcrit::design {
 namespace {
 
 std::string needs_indentation(const DesignQuestion& question, double times) {
+  const std::string more =
+      "with the amplitude in proportion (" + rounded(times, "") + " times as much)";
   if (question.problem->load)
-    return fmt::format(
-        "a load of more than {:.6g} N with the amplitude in proportion ({:.4g} times as much)",
-        *question.problem->load->value * times, times);
-  return fmt::format(
-      "an indentation of more than {:.6g} m with the amplitude in proportion ({:.4g} times as "
-      "much)",
-      *question.problem->indentation.value * times, times);
+    return fmt::format("a load of more than {} {}",
+                       rounded_up(*question.problem->load->value * times, "N"), more);
+  return fmt::format("an indentation of more than {} {}",
+                     rounded_up(*question.problem->indentation.value * times, "m"), more);
 }
 
 double omega_of(const DesignQuestion& question) {
   return *question.problem->angular_frequency.value;
 }
 
+std::string sought_words(const Failure& f, double value, int digits = few_digits) {
+  return rounded(value, unit_of(f.question.sought), digits);
+}
+
+std::string speed_words(const DesignQuestion& question) {
+  return rounded(question.velocity, "m/s");
+}
+
 std::string reach_of(const Failure& f) {
-  const Sought sought = f.question.sought;
-  return fmt::format("{} from {:.6g} to {:.6g} {}", to_text(sought), f.range.from, f.range.to,
-                     unit_of(sought));
+  return fmt::format("{} from {} to {}", to_text(f.question.sought), sought_words(f, f.range.from),
+                     sought_words(f, f.range.to));
 }
 
 std::string searched(const Failure& f) {
@@ -46,17 +53,16 @@ std::string searched(const Failure& f) {
 std::string uncertain(const Failure& f) {
   const bool largest = is_largest(f.question.sought);
   return fmt::format(
-      "a friction ratio of {} is reached at {:.16g} {}, but whether that is the {} {} is not "
-      "known: "
-      "{}; give a range (`from`, `to`) without the others",
-      f.question.friction_ratio, *f.reached_at, unit_of(f.question.sought),
+      "a friction ratio of {} is reached at {}, but whether that is the {} {} is not known: {}; "
+      "give a range (`from`, `to`) without the others",
+      f.question.friction_ratio, sought_words(f, *f.reached_at, all_digits),
       largest ? "largest" : "smallest", to_text(f.question.sought), searched(f));
 }
 
 std::string least_found(const Failure& f) {
   if (!f.least) return fmt::format("no steady state was found ({})", searched(f));
-  return fmt::format("the least that was found is {:.6g}, at {:.6g} {} ({})", *f.least, f.least_at,
-                     unit_of(f.question.sought), searched(f));
+  return fmt::format("the lowest ratio found is {}, at {} ({})", rounded(*f.least, ""),
+                     sought_words(f, f.least_at), searched(f));
 }
 
 // v* over the largest admissible amplitude, which the indentation bounds.
@@ -64,12 +70,13 @@ std::string too_fast_for_amplitudes(const Failure& f) {
   const double most = f.contact.largest_amplitude(omega_of(f.question));
   const double limit = f.range.largest_velocity;
   const bool all = f.range.to > 0.9 * most;
+  const auto [speed, limit_words] = rounded_apart(f.question.velocity, limit, "m/s");
   std::string text = fmt::format(
-      "at {:.6g} m/s friction stays full at every {} amplitude: at {:.6g} m it is reduced up to "
-      "{:.6g} m/s only",
-      f.question.velocity, all ? "admissible" : "searched", f.range.to, limit);
-  if (!all) return text + fmt::format("; amplitudes are admissible below {:.6g} m", most);
-  text += fmt::format(" (beyond {:.6g} m the contact opens)", most);
+      "at {} friction stays full at every {} amplitude: at {} it is reduced up to {} only", speed,
+      all ? "admissible" : "searched", rounded(f.range.to, "m"), limit_words);
+  const std::string most_words = rounded_down(most, "m");
+  if (!all) return text + fmt::format("; amplitudes are admissible below {}", most_words);
+  text += fmt::format(" (beyond {} the contact opens)", most_words);
   if (!(limit > 0)) return text + ": this frequency is an antiresonance";
   return text + fmt::format(". It takes a velocity below that, or {}",
                             needs_indentation(f.question, f.question.velocity / limit));
@@ -78,9 +85,10 @@ std::string too_fast_for_amplitudes(const Failure& f) {
 // The system is homogeneous: indentation, amplitude and speed times one number leave the ratio.
 std::string ratio_over_amplitudes(const Failure& f) {
   const double most = f.contact.largest_amplitude(omega_of(f.question));
-  std::string text = fmt::format("no {} amplitude reaches a friction ratio of {} at {:.6g} m/s: {}",
-                                 f.range.to > 0.9 * most ? "admissible" : "searched",
-                                 f.question.friction_ratio, f.question.velocity, least_found(f));
+  std::string text =
+      fmt::format("no {} amplitude reaches a friction ratio of {} at {}: {}",
+                  f.range.to > 0.9 * most ? "admissible" : "searched", f.question.friction_ratio,
+                  speed_words(f.question), least_found(f));
   DesignQuestion slower{with_amplitude(f.question.problem, f.range.to),
                         Sought::velocity,
                         f.question.friction_ratio,
@@ -88,14 +96,15 @@ std::string ratio_over_amplitudes(const Failure& f) {
                         {},
                         {},
                         f.question.samples};
+  const std::string amplitude = rounded(f.range.to, "m");
   try {
     const double velocity = solve(slower).value;
-    text += fmt::format(". At an amplitude of {:.6g} m it takes a velocity of at most {:.6g} m/s",
-                        f.range.to, velocity);
+    text += fmt::format(". At an amplitude of {} it takes a velocity of at most {}", amplitude,
+                        rounded_down(velocity, "m/s"));
     if (f.range.to > 0.9 * most)
       text += ", or " + needs_indentation(f.question, f.question.velocity / velocity);
   } catch (const ModelError&) {
-    text += fmt::format(". At an amplitude of {:.6g} m no velocity reaches it either", f.range.to);
+    text += fmt::format(". At an amplitude of {} no velocity reaches it either", amplitude);
   }
   return text;
 }
@@ -106,26 +115,28 @@ std::string too_fast_for_frequencies(const Failure& f) {
   const double amplitude = *there->amplitude.value * (f.question.velocity - creep_velocity(there)) /
                            quick_onset(there, two_pi * f.range.largest_at);
   const double most = f.contact.largest_amplitude(two_pi * f.range.largest_at);
+  const auto [speed, limit_words] = rounded_apart(f.question.velocity, limit, "m/s");
   std::string text = fmt::format(
-      "at {:.6g} m/s friction stays full at every searched {}: it is reduced up to {:.6g} m/s at "
-      "most, at {:.6g} Hz. It takes a velocity below that, or an amplitude above {:.6g} m there",
-      f.question.velocity, reach_of(f), limit, f.range.largest_at, amplitude);
+      "at {} friction stays full at every searched {}: it is reduced up to {} at most, at {}. It "
+      "takes a velocity below that, or an amplitude above {} there",
+      speed, reach_of(f), limit_words, rounded(f.range.largest_at, "Hz"),
+      rounded_up(amplitude, "m"));
   if (amplitude >= most)
-    text +=
-        fmt::format(", which opens the contact: the amplitude is admissible below {:.6g} m", most);
+    text += fmt::format(", which opens the contact: the amplitude is admissible below {}",
+                        rounded_down(most, "m"));
   return text;
 }
 
 std::string ratio_over_frequencies(const Failure& f) {
-  std::string text = fmt::format("no frequency reaches a friction ratio of {} at {:.6g} m/s: {}",
-                                 f.question.friction_ratio, f.question.velocity, least_found(f));
+  std::string text =
+      fmt::format("no frequency reaches a friction ratio of {} at {}: {}",
+                  f.question.friction_ratio, speed_words(f.question), least_found(f));
   if (!f.least) return text;
   const double omega = two_pi * f.least_at;
   const double limit = 1 - f.contact.oscillating_part(*f.question.problem->amplitude.value, omega);
   text += fmt::format(
-      ". Even as the velocity vanishes it tends to {:.6g} there, the least normal force over its "
-      "mean",
-      limit);
+      ". Even as the velocity vanishes it tends to {} there, the least normal force over its mean",
+      rounded(limit, ""));
   try {
     const DesignAnswer answer = solve({with_angular_frequency(f.question.problem, omega),
                                        Sought::amplitude,
@@ -134,7 +145,8 @@ std::string ratio_over_frequencies(const Failure& f) {
                                        {},
                                        {},
                                        f.question.samples});
-    text += fmt::format(". At that frequency an amplitude of {:.6g} m reaches it", answer.value);
+    text += fmt::format(". At that frequency an amplitude of {} reaches it",
+                        rounded_up(answer.value, "m"));
   } catch (const ModelError&) {
     text += ". At that frequency no admissible amplitude reaches it either";
   }
@@ -150,31 +162,39 @@ std::string ratio_over_velocities(const Failure& f) {
                                  f.question.friction_ratio, least_found(f));
   if (creep_velocity(f.question.problem) > 0) return text;
   text += fmt::format(
-      ". As the velocity vanishes it tends to the static limit {:.6g}, the least normal force over "
-      "its mean",
-      limit);
-  if (limit > f.question.friction_ratio)
+      ". As the velocity vanishes it tends to the static limit {}, the least normal force over its "
+      "mean",
+      rounded(limit, ""));
+  if (limit > f.question.friction_ratio) {
+    const auto [needed, now] =
+        rounded_apart((1 - f.question.friction_ratio) * most, amplitude, "m");
     text += fmt::format(
-        "; for that to be {} the amplitude must be above {:.6g} m (now {:.6g} m, admissible below "
-        "{:.6g} m)",
-        f.question.friction_ratio, (1 - f.question.friction_ratio) * most, amplitude, most);
+        "; for that to be {} the amplitude must be above {} (now {}, admissible below {})",
+        f.question.friction_ratio, needed, now, rounded_down(most, "m"));
+  }
   return text;
 }
 
 // v* does not depend on the load, the creep of the path is in proportion to it.
 std::string too_fast_for_forces(const Failure& f) {
+  const auto [speed, limit] = rounded_apart(f.question.velocity, f.range.largest_velocity, "m/s");
   return fmt::format(
-      "at {:.6g} m/s friction stays full at every load: at {:.6g} N it is reduced up to {:.6g} m/s "
-      "only. A larger amplitude raises that speed, another load does not",
-      f.question.velocity, f.range.to, f.range.largest_velocity);
+      "at {} friction stays full at every load: at {} it is reduced up to {} only. A larger "
+      "amplitude raises that speed, another load does not",
+      speed, rounded(f.range.to, "N"), limit);
 }
 
 std::string ratio_over_forces(const Failure& f) {
   return fmt::format(
-      "no load reaches a friction ratio of {} at {:.6g} m/s: {}. Smaller loads than {:.6g} N open "
-      "the contact",
-      f.question.friction_ratio, f.question.velocity, least_found(f),
-      f.contact.least_force(*f.question.problem->amplitude.value, omega_of(f.question)));
+      "no load reaches a friction ratio of {} at {}: {}. Smaller loads than {} open the contact",
+      f.question.friction_ratio, speed_words(f.question), least_found(f),
+      rounded_up(f.contact.least_force(*f.question.problem->amplitude.value, omega_of(f.question)),
+                 "N"));
+}
+
+std::string too_fast_for_velocities(const Failure& f) {
+  const auto [from, limit] = rounded_apart(f.range.from, f.range.largest_velocity, "m/s");
+  return fmt::format("from {} on friction is full; it is reduced below {} only", from, limit);
 }
 
 }  // namespace
@@ -188,11 +208,7 @@ std::string explanation(const Failure& failure) {
     case Sought::frequency:
       return too_fast ? too_fast_for_frequencies(failure) : ratio_over_frequencies(failure);
     case Sought::velocity:
-      return too_fast ? fmt::format(
-                            "from {:.6g} m/s on friction is full; it is reduced below "
-                            "{:.6g} m/s only",
-                            failure.range.from, failure.range.largest_velocity)
-                      : ratio_over_velocities(failure);
+      return too_fast ? too_fast_for_velocities(failure) : ratio_over_velocities(failure);
     case Sought::force:
       return too_fast ? too_fast_for_forces(failure) : ratio_over_forces(failure);
   }

@@ -7,6 +7,7 @@
 
 #include "answers/critical_onset.hpp"
 #include "base/constants.hpp"
+#include "base/rounded.hpp"
 #include "critical/admissibility.hpp"
 #include "normal/mount.hpp"
 #include "problem/variants.hpp"
@@ -29,7 +30,8 @@ constexpr double even_down_to = 20;
 void refuse_empty(const DesignQuestion& question, double from, double to) {
   if (from < to && std::isfinite(to)) return;
   throw InputError(argument("from, to"),
-                   fmt::format("from {} to {} {}", from, to, unit_of(question.sought)),
+                   fmt::format("from {} to {}", rounded(from, unit_of(question.sought)),
+                               rounded(to, unit_of(question.sought))),
                    "a finite upper end above the lower end");
 }
 
@@ -89,9 +91,9 @@ SearchRange frequencies(const DesignQuestion& question, const NormalContact& con
                     0};
   refuse_empty(question, range.from, range.to);
   if (most && range.from >= *most / two_pi)
-    throw ModelError(fmt::format(
-        "the contact opens at all frequencies from {:.6g} Hz on, and the range begins at {:.6g} Hz",
-        *most / two_pi, range.from));
+    throw ModelError(
+        fmt::format("the contact opens at all frequencies from {} on, and the range begins at {}",
+                    rounded(*most / two_pi, "Hz"), rounded(range.from, "Hz")));
   if (most) range.to = std::min(range.to, inside_the_bound * *most / two_pi);
   refuse_empty(question, range.from, range.to);
   OpeningShare share;
@@ -103,8 +105,8 @@ SearchRange frequencies(const DesignQuestion& question, const NormalContact& con
       reducing_stretches(with_angular_frequency(question.problem, two_pi * range.from),
                          two_pi * range.from, two_pi * range.to, question.velocity, share);
   if (!found.closed)
-    throw ModelError(fmt::format("the contact opens at all frequencies from {:.6g} Hz to {:.6g} Hz",
-                                 range.from, range.to),
+    throw ModelError(fmt::format("the contact opens at all frequencies from {} to {}",
+                                 rounded(range.from, "Hz"), rounded(range.to, "Hz")),
                      "take a smaller amplitude, or another range: `from`, `to`");
   range.largest_velocity = found.largest_velocity;
   range.largest_at = found.largest_at / two_pi;

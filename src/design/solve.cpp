@@ -7,6 +7,7 @@
 
 #include "answers/critical_onset.hpp"
 #include "base/constants.hpp"
+#include "base/rounded.hpp"
 #include "critical/admissibility.hpp"
 #include "design/explain.hpp"
 #include "design/first_reach.hpp"
@@ -50,7 +51,7 @@ class Solving {
                        "a ratio between 0 and 1, both excluded");
     if (question.sought != Sought::velocity &&
         !(question.velocity > 0 && std::isfinite(question.velocity)))
-      throw InputError(argument("velocity"), fmt::format("a speed of {} m/s", question.velocity),
+      throw InputError(argument("velocity"), "a speed of " + rounded(question.velocity, "m/s"),
                        "a finite speed above 0");
     for (const auto& [end, name] : {std::pair(question.from, "from"), {question.to, "to"}})
       if (end && !(*end > 0))

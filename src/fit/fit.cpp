@@ -9,6 +9,7 @@
 #include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
+#include "base/rounded.hpp"
 #include "fit/starts.hpp"
 
 namespace vcrit::fit {
@@ -296,7 +297,7 @@ void refuse_below_noise(const Data& data, const Fit& fit) {
     const double noise = noise_beside(row, fit);
     const auto refuse = [&](const char* name, double value) {
       if (value < -errors_below_zero * noise * std::hypot(row.storage, row.loss))
-        throw InputError({data.file, row.line}, fmt::format("{} = {} N/m", name, value),
+        throw InputError({data.file, row.line}, fmt::format("{} = {}", name, rounded(value, "N/m")),
                          fmt::format("a {} stiffness of at least 0, or below it by no more than "
                                      "the noise of these data, {:.2g} % of |K|",
                                      name, 100 * noise));

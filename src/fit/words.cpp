@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "base/rounded.hpp"
 #include "fit/chances.hpp"
 
 namespace vcrit::fit {
@@ -40,9 +41,9 @@ std::vector<std::string> in_words(const Data& data, const Fit& fit) {
                     fit.branches.size()));
   if (fit.order_in_doubt)
     words.emplace_back(
-        "the noise leaves the number of branches in doubt: the errors of the branches hold for "
-        "this "
-        "number only, the intervals of the stiffness for any");
+        "with this noise another number of branches fits as well: the errors of the branches "
+        "assume "
+        "this number, the intervals of the stiffness do not");
   if (fit.time_at_an_end)
     words.emplace_back(
         "the relaxation time is only a bound: the data show no more than the tail of the loss");
@@ -58,8 +59,9 @@ std::vector<std::string> in_words(const Data& data, const Fit& fit) {
         "is not admissible as a normal contact");
   for (const auto& [k, tau] : fit.branches)
     if (k.error > k.value / 2)
-      words.push_back(fmt::format("the branch at {:.3g} s is poorly known ({:.2g} ± {:.1g} N/m)",
-                                  tau.value, k.value, k.error));
+      words.push_back(fmt::format("the branch at {} is poorly known ({} ± {})",
+                                  rounded(tau.value, "s"), rounded(k.value, "N/m", 2),
+                                  rounded(k.error, "N/m", 1)));
   if (data.rows.size() < 2 * fit.branches.size())
     words.emplace_back("there are more numbers in the series than frequencies in the data");
   words.insert(words.end(), data.notes.begin(), data.notes.end());

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "base/rounded.hpp"
 #include "normal/mean_indentation.hpp"
 #include "rules/rulebook.hpp"
 
@@ -76,8 +77,9 @@ simulation::System HalfSpace::whole() const {
 
 simulation::System HalfSpace::cell_under(double depth) const {
   if (!closes(depth) || !std::isfinite(depth))
-    throw InputError(argument("x"), fmt::format("a mean indentation of {} m there", depth),
-                     fmt::format("one above {} m, so that the contact closes", -amplitude_));
+    throw InputError(
+        argument("x"), fmt::format("a mean indentation of {} there", rounded(depth, "m")),
+        fmt::format("one above {}, so that the contact closes", rounded(-amplitude_, "m")));
   simulation::System system;
   system.contact = tangential_;
   system.omega = omega_;

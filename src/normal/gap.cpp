@@ -9,6 +9,7 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
+#include "base/rounded.hpp"
 #include "scene/members.hpp"
 
 namespace vcrit::indenter {
@@ -103,11 +104,13 @@ double Gap::highest_after(double highest, double low, double high) const {
   if (middle <= low || middle >= high ||
       at_high.fall - at_low.fall <= 0.5 * harmless_fall * highest ||
       polygon_slope(high).rise >= polygon_slope(low).fall) {
-    if (end < (1 - harmless_fall) * highest)
+    if (end < (1 - harmless_fall) * highest) {
+      const auto [from, to] = rounded_apart(highest, end, "m");
       throw ModelError(fmt::format(
-          "the contact would have holes: the profile g(x) of the table falls from {:.6g} m to "
-          "{:.6g} m near r = {:.6g} m, where the slope of f decreases",
-          highest, end, high));
+          "the contact would have holes: the profile g(x) of the table falls from {} to "
+          "{} near r = {}, where the slope of f decreases",
+          from, to, rounded(high, "m")));
+    }
     return std::max(highest, end);
   }
   return highest_after(highest_after(highest, low, middle), middle, high);

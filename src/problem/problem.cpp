@@ -48,6 +48,20 @@ std::string missing_name(const Resolved& parts, const Symbol& symbol) {
   return to_text(called(parts.names, symbol));
 }
 
+/// As scenes call it; empty for what has no other name than its symbol.
+std::string key_of(const Resolved& parts, const Quantity& quantity) {
+  if (&quantity == &parts.coefficient) return "coefficient";
+  if (&quantity == &parts.angular_frequency) return "frequency";
+  if (&quantity == &parts.amplitude) return "amplitude";
+  if (&quantity == &parts.indentation) return "indentation";
+  return parts.mass && &quantity == &*parts.mass ? "mass" : "";
+}
+
+/// "mu0 (coefficient)": who has not read the theory does not know the symbol.
+std::string with_key(const std::string& name, const std::string& key) {
+  return key.empty() || key == name ? name : fmt::format("{} ({})", name, key);
+}
+
 const Range& range_of(const Resolved& parts, const Quantity& quantity) {
   const auto is = [&quantity](const std::optional<Quantity>& part) {
     return part && &quantity == &*part;
@@ -124,18 +138,19 @@ struct Problem::Checked {
         add(symbol, value, positive);
       }
     for (const Quantity* quantity : quantities_of<const Quantity>(parts))
-      add(quantity->symbol, quantity->value, range_of(parts, *quantity));
+      add(quantity->symbol, quantity->value, range_of(parts, *quantity), key_of(parts, *quantity));
     for (const Amount& amount : parts.expressions)
       if (const auto value = amount_value(amount, values))
         checked(*value, positive, text_of(amount), {parts.source->file});
   }
 
-  void add(const Symbol& symbol, const std::optional<double>& value, const Range& range) {
+  void add(const Symbol& symbol, const std::optional<double>& value, const Range& range,
+           const std::string& key = "") {
     if (value)
       values[symbol] =
           checked(*value, range, to_text(called(parts.names, symbol)), {parts.source->file});
     else
-      missing.push_back(missing_name(parts, symbol));
+      missing.push_back(with_key(missing_name(parts, symbol), key));
   }
 
   /// Neither by an indentation, of which the scene does not even give the name, nor by a load.

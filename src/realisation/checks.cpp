@@ -1,4 +1,5 @@
 #include "realisation/checks.hpp"
+#include "base/rounded.hpp"
 
 #include <fmt/core.h>
 
@@ -42,9 +43,9 @@ const Receptance::Row& row_of(const Receptance& table, Index place) {
 
 std::string lines_of(const Receptance& table, const RowRange& stretch) {
   const auto &first = row_of(table, stretch.first), &last = row_of(table, stretch.last);
-  if (stretch.first == stretch.last) return fmt::format("at {:.4g} rad/s", first.omega);
-  return fmt::format("from {:.4g} to {:.4g} rad/s ({} rows)", first.omega, last.omega,
-                     stretch.last - stretch.first + 1);
+  if (stretch.first == stretch.last) return "at " + rounded_frequency(first.omega);
+  return fmt::format("from {} to {} ({} rows)", rounded_frequency(first.omega),
+                     rounded_frequency(last.omega), stretch.last - stretch.first + 1);
 }
 
 std::string place_of(const Receptance& table, const RowRange& stretch) {
@@ -127,12 +128,12 @@ std::string causality_words(const Receptance& table, const RowRange& stretch, do
 std::string resolution_words(const Receptance& table, double omega, int rows) {
   if (rows < 2)
     return fmt::format(
-        "{}: the resonance at {:.4g} rad/s is narrower than the rows' distance: its height is not "
+        "{}: the resonance at {} is narrower than the rows' distance: its height is not "
         "in the table",
-        table.file, omega);
+        table.file, rounded_frequency(omega));
   return fmt::format(
-      "{}: the resonance at {:.4g} rad/s has {} rows within its width: its height rests on the fit",
-      table.file, omega, rows);
+      "{}: the resonance at {} has {} rows within its width: its height rests on the fit",
+      table.file, rounded_frequency(omega), rows);
 }
 
 }  // namespace vcrit::realisation

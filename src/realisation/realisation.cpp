@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "base/errors.hpp"
+#include "base/rounded.hpp"
 #include "realisation/checks.hpp"
 
 namespace vcrit::realisation {
@@ -94,10 +95,10 @@ void Realisation::judge_fit(const Receptance& table) {
   constexpr double large_misfit = 0.1;
   if (!explained_ && misfit_ > large_misfit)
     warnings_.push_back(fmt::format(
-        "{}: the structure that fits best misses R by {:.2g} % at {:.4g} rad/s, noise {:.2g} %: "
+        "{}: the structure that fits best misses R by {:.2g} % at {}, noise {:.2g} %: "
         "friction below v* rests on a poor fit of the drive",
         to_text(Place{table.file, table.rows[static_cast<std::size_t>(worst)].line}), 100 * misfit_,
-        rows_.omega[worst] * rows_.frequency_unit, 100 * noise_));
+        rounded_frequency(rows_.omega[worst] * rows_.frequency_unit), 100 * noise_));
 }
 
 // A mode so far below the rows that the noise hides it there; damped, so that it comes to rest.
@@ -107,11 +108,12 @@ void Realisation::add_static_compliance(const Receptance& table, double complian
     // The structure at rest is an extrapolation as well: a little less is as good as the same.
     constexpr double little = 0.02;
     if (-missing <= little * fitted) return;
-    throw InputError({table.file, 0},
-                     fmt::format("static_compliance = {:.4g} m/N, less than the {:.4g} m/N of its "
-                                 "realisation at rest",
-                                 compliance, fitted),
-                     "a static compliance that is at least that of the modes within the table");
+    const auto [compliance_words, fitted_words] = rounded_apart(compliance, fitted, "m/N");
+    throw InputError(
+        {table.file, 0},
+        fmt::format("static_compliance = {}, less than the {} of its realisation at rest",
+                    compliance_words, fitted_words),
+        "a static compliance that is at least that of the modes within the table");
   }
   const double first = rows_.first() * rows_.frequency_unit;
   const double share = std::abs(response(first)) * std::max(noise_, 1e-6) / 10;

@@ -14,30 +14,36 @@ constexpr Cell refused(const char* reason, const char* advice = "") {
 constexpr Cell left_out(const char* reason) { return {Ruling::left_out, reason}; }
 constexpr Cell yes{Ruling::yes};
 
-constexpr Cell lossy_motion =
-    refused("lossy(k, eta) is not causal: K = k (1 + i eta) at one frequency is no law of motion");
+// As no_law, but nothing here asks for a rational function.
+constexpr const char* not_causal =
+    "lossy(k, eta) is not causal: a stiffness k (1 + i eta) at one frequency defines no motion in "
+    "time";
+constexpr const char* not_causal_advice =
+    "a Zener body or a Prony series fitted around that frequency has a motion";
+constexpr Cell lossy_motion = refused(not_causal, not_causal_advice);
 constexpr Cell lossy_law = refused(no_law, no_law_advice);
-constexpr Cell each_place = refused(
-    "below an indenter each place has a motion of its own: this asks for that of one contact");
-constexpr Cell no_cells = refused("the scene has no indenter");
-constexpr Cell no_methods = refused("knows no indenter");
+constexpr Cell each_place =
+    refused("an indenter has no single contact motion: each place below it moves differently",
+            "vcrit simulate answers for one set of numbers, vcrit sweep for many");
+constexpr Cell no_cells = refused("the scene has no [indenter]");
+constexpr Cell no_methods = refused("does not support [indenter]", "use `method exact`");
 
 constexpr Cell without_memory_code = refused(
-    "where this contact opens (separation = true) v* is Eq. (24) only while it is closed where the "
-    "indentation grows fastest, which an evaluator cannot tell",
-    "vcrit eval can, and of the closed contact there is an evaluator, without separation");
+    "this contact opens (separation = true), so v* follows Eq. (24) only while it is closed where "
+    "the indentation grows fastest, and an evaluator cannot tell whether it is",
+    "use vcrit eval, or leave out separation = true for an evaluator of the closed contact");
 constexpr Cell memory_code =
     refused("no closed form of v* where this contact opens (separation = true)",
-            "of the closed contact there is one, without it");
+            "leave out separation = true for an evaluator of the closed contact");
 constexpr Cell measured_polynomial =
-    refused("a measured receptance is no polynomial: v* has no rational form");
+    refused("a measured receptance is a table, so v* has no rational form");
 constexpr Cell contact_polynomial =
-    refused("a measured stiffness is no polynomial: v* has no rational form");
+    refused("a measured stiffness is a table, so v* has no rational form");
 constexpr Cell no_symbols = refused(
-    "where the contact opens (separation = true) v* has no formula of all symbols to compare");
+    "where the contact opens (separation = true) v* has no formula of all symbols to compare with");
 constexpr Cell no_comparison =
-    refused("no closed form of v* where this contact opens: nothing to compare",
-            "vcrit eval gives the simulated one, and vcrit validate holds it against the motion");
+    refused("no closed form of v* where this contact opens, so there is nothing to compare with",
+            "vcrit eval gives the simulated v*, and vcrit validate compares it with the motion");
 
 constexpr Cell no_load = refused("the normal network carries no static load: K_n(0) = 0");
 constexpr Cell no_modulus = refused("the half-space carries no static load: E(0) = 0");
@@ -51,86 +57,87 @@ constexpr Cell never_closed =
 constexpr const char* let_it_open =
     "take an amplitude below {closed}, or let the contact open: separation = true in [contact]";
 constexpr Cell too_large = refused(
-    "the amplitude {du_z} = {amplitude} m is not below the indentation {u_z0} = {indentation} m "
+    "the amplitude {du_z} = {amplitude} is not below the indentation {u_z0} = {indentation} "
     "(Eq. 3)",
     let_it_open);
 // The same of a contact that may open, asked where it stays closed.
 constexpr Cell too_large_anywhere = refused(too_large.reason);
 constexpr Cell opens_closed = refused(
-    "the contact opens: the normal force oscillates by {du_z} |K_n| = {oscillating:.6g} N about a "
-    "mean of {load} = {mean:.6g} N (Eq. 4)",
+    "the contact opens: the normal force oscillates by {du_z} |K_n| = {oscillating} about a mean "
+    "of {load} = {mean} (Eq. 4)",
     let_it_open);
-constexpr Cell opens_moving = refused(
-    "the contact opens: F_n oscillates by {oscillating:.6g} N about a mean of {mean:.6g} N (Eq. 4)",
-    let_it_open);
+constexpr Cell opens_moving =
+    refused("the contact opens: F_n oscillates by {oscillating} about a mean of {mean} (Eq. 4)",
+            let_it_open);
 constexpr Cell opens_all_over = refused(
-    "the contact opens all over: at its centre, too, the pressure would oscillate beyond its mean "
+    "the whole contact opens: even at its centre the pressure oscillates by more than its mean "
     "(Eq. 4)",
     let_it_open);
-constexpr Cell opens_at_tip = refused(
-    "the contact opens all over: at the tip F_n oscillates by {share:.6g} times its mean (Eq. 4)",
-    let_it_open);
+constexpr Cell opens_at_tip =
+    refused("the whole contact opens: at the tip F_n oscillates by {share} times its mean (Eq. 4)",
+            let_it_open);
 
 // Of a contact that creeps as long as it is loaded.
 constexpr Cell sinks_opening = refused(
-    "the contact opens (separation = true) while its normal network creeps, K_n(0) = 0: under a "
-    "load it sinks for ever, so that no mean depth can be given",
-    "take an amplitude below {closed}, or a normal network with a spring across it");
+    "the contact opens (separation = true) and its normal network creeps, K_n(0) = 0: under a load "
+    "it sinks for ever, so it has no mean depth",
+    "take an amplitude below {closed}, or add a spring in parallel to the normal network");
 
 // Height and force of a contact that opens below a mount.
 constexpr Cell mounted = refused(
-    "below a mount the mean force of a contact that may open (separation = true) is that of a load, "
+    "below a mount, a contact that may open (separation = true) needs a load for its mean force, "
     "and none is given",
-    "give [load] force in place of the indentation, or leave out separation = true");
+    "give [load] force instead of the indentation, or leave out separation = true");
 constexpr Cell reacting = refused(
-    "a contact that may open (separation = true) below a mount with mass: height and force react on "
-    "each other, so that the steady motion need not be the only one",
+    "below a mount with mass, a contact that may open (separation = true) can have several steady "
+    "motions: height and force react on each other",
     "leave out separation = true");
-constexpr Cell mounted_then =
-    left_out("the contact may open below a mount, and v* of that motion is not known");
+constexpr Cell mounted_then = left_out("v* is not known for a contact that opens below a mount");
 constexpr Cell mounted_frequency = left_out(
-    "below a mount the contact's amplitude depends on the frequency: there is no largest frequency "
-    "up to which it stays closed");
+    "below a mount the contact's amplitude depends on the frequency, so there is no largest "
+    "frequency up to which it stays closed");
 
 constexpr Cell sinks_as_it_opens =
-    left_out("under its load the contact sinks for ever, and opens in each cycle");
+    left_out("under its load the contact sinks for ever and opens in each cycle");
 
 constexpr Cell memory = left_out(
-    "the contact point follows the normal deformation with memory, also where the contact opens");
+    "the contact opens, and its tangential deformation depends on more than the normal one at that "
+    "instant");
 constexpr Cell open_then = left_out("the contact is open where the indentation grows fastest");
-constexpr Cell table_alone = left_out("v* is known at the frequencies of a table alone");
+constexpr Cell table_alone = left_out("v* is known only at the frequencies of the table");
 constexpr Cell one_frequency = left_out("lossy(k, eta) is known at one frequency at a time");
-constexpr Cell not_causal =
-    left_out("lossy(k, eta) is not causal: K = k (1 + i eta) at one frequency is no law of motion");
-constexpr Cell closed_alone = left_out("of a closed contact alone");
-constexpr Cell one_contact = left_out("of one contact alone");
-constexpr Cell networks_alone = left_out("of networks of springs and dampers alone");
-constexpr Cell inadmissible = left_out("of an admissible scene alone");
+constexpr Cell no_lossy_motion = left_out(not_causal);
+constexpr Cell closed_alone = left_out("available only for a contact that stays closed");
+constexpr Cell one_contact = left_out("available only for a single contact, not below an indenter");
+constexpr Cell networks_alone =
+    left_out("available only for networks of springs and dampers, without masses or tables");
+constexpr Cell inadmissible = left_out("available only inside the model");
 
-// Of an indenter on a drive that gives.
+// Of an indenter on a compliant drive.
 constexpr Cell by_phase = left_out(
-    "v* of an indenter on a drive that gives is the largest value of a speed over one period");
+    "with an indenter on a compliant drive, v* is the largest value of a speed over one period");
 constexpr Cell no_formula = refused(
-    "v* of an indenter on a drive that gives has no formula: it is the largest value of a speed over "
-    "one period",
-    "vcrit eval gives it, and vcrit simulate friction below it");
-constexpr Cell measured_holder =
-    refused("below an indenter the drive must be a network: this one is a measured receptance",
-            "give [drive] network = \"...\", or leave out [drive]");
-constexpr Cell masses_hold =
-    refused("below an indenter the drive must be of springs and dampers: this one holds masses",
-            "leave them out, or give the body's own mass by [body]");
+    "with an indenter on a compliant drive, v* has no formula: it is the largest value of a speed "
+    "over one period",
+    "vcrit eval gives v*, and vcrit simulate the friction below it");
+constexpr Cell measured_holder = refused(
+    "below an indenter the drive must be a network of springs and dampers, and this one is a "
+    "measured receptance",
+    "give [drive] network = \"...\", or leave out [drive]");
+constexpr Cell masses_hold = refused(
+    "below an indenter the drive must be a network of springs and dampers, and this one has masses",
+    "leave the masses out, or give the body's own mass in [body]");
 
 // Of a contact that was measured.
 constexpr Cell measured_motion = refused(measured_law, measured_law_advice);
 constexpr Cell measured_code = refused(
-    "the contact's stiffness is measured: an evaluator would hold it still while omega varies",
-    "vcrit sweep follows the table, and vcrit fit makes a network of it, which has an evaluator");
+    "the contact's stiffness is measured: an evaluator would keep it fixed while omega varies",
+    "vcrit sweep follows the table; vcrit fit turns it into a network, which has an evaluator");
 constexpr Cell measured_symbols = refused(
-    "the contact's stiffness is a table, so v* has no formula of all symbols to compare",
-    "compare the numbers: vcrit sweep follows the table");
+    "the contact's stiffness is a table, so v* has no formula of all symbols to compare with",
+    "compare numbers instead: vcrit sweep follows the table");
 constexpr Cell measured_frequencies =
-    refused("the contact's stiffness is known at the frequencies of its table alone");
+    refused("the contact's stiffness is known only at the frequencies of its table");
 constexpr Cell measured_still = left_out(measured_law);
 
 struct Row {
@@ -143,7 +150,7 @@ struct Row {
 //   no load, below indenter, no friction, no indentation, tapping, never closing
 //   (3), deep | (4), below indenter | opening with memory, open where steepest
 //   sinking, and opening | mount, separating, with mass
-//   indenter on a drive that gives, viscoelastic | measured contact
+//   indenter on a compliant drive, viscoelastic | measured contact
 constexpr Cell y = yes;
 // clang-format off
 constexpr std::array<Row, questions> table{{
@@ -252,7 +259,7 @@ constexpr std::array<Row, questions> table{{
       y, y,
       y}},
     {Question::report_simulation,
-     {y, y, not_causal, y, y, y, y, y,
+     {y, y, no_lossy_motion, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y,
@@ -268,7 +275,7 @@ constexpr std::array<Row, questions> table{{
       y, y,
       table_alone}},
     {Question::report_stability,
-     {networks_alone, networks_alone, not_causal, one_contact, y, closed_alone, y, y,
+     {networks_alone, networks_alone, no_lossy_motion, one_contact, y, closed_alone, y, y,
       inadmissible, inadmissible, y, inadmissible, y, inadmissible,
       inadmissible, y, inadmissible, inadmissible, y, y,
       y, inadmissible,

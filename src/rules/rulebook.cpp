@@ -4,31 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
 
 #include "base/errors.hpp"
+#include "base/rounded.hpp"
 #include "normal/mount.hpp"
 #include "rules/cells.hpp"
 
 namespace vcrit::rules {
 
 namespace {
-
-/// In four digits, rounded down, so that what is below it is below `length` (m).
-std::string rounded_down(double length) {
-  if (!(length > 0)) return "0 m";
-  constexpr std::array<std::pair<double, const char*>, 4> units{
-      {{1, "m"}, {1e-3, "mm"}, {1e-6, "um"}, {1e-9, "nm"}}};
-  constexpr double least = 0.01;  // 0.3968 um, but 3.968 nm
-  const auto unit = std::find_if(units.begin(), units.end() - 1,
-                                 [&](const auto& each) { return length >= least * each.first; });
-  const double value = length / unit->first;
-  const double step = std::pow(10, std::floor(std::log10(value)) - 3);
-  constexpr double rounding = 1e-12;  // 0.5 um is 499.99999999999994 nm
-  return fmt::format("{:.4g} {}", std::floor(value / step * (1 + rounding)) * step, unit->second);
-}
 
 /// The amplitude (m) at which (3) or (4) would be broken.
 double closed_below(const Facts& facts) {
@@ -53,15 +37,19 @@ std::string filled(const std::string& pattern, const Facts& facts) {
   const Problem& problem = facts.problem();
   const auto oscillating = static_cast<double>(facts.oscillating_force()),
              mean = static_cast<double>(facts.mean_force());
+  const auto [oscillating_words, mean_words] = rounded_apart(oscillating, mean, "N");
+  const auto [amplitude_words, indentation_words] =
+      rounded_apart(contact_amplitude(problem), facts.indentation(), "m");
   return fmt::format(
       fmt::runtime(pattern),
       fmt::arg("du_z", problem->mount ? "du_z" : name_in(problem, problem->amplitude)),
       fmt::arg("u_z0", name_in(problem, problem->indentation)),
       fmt::arg("mu0", name_in(problem, problem->coefficient)),
-      fmt::arg("amplitude", contact_amplitude(problem)),
-      fmt::arg("indentation", facts.indentation()), fmt::arg("load", load_words(problem)),
-      fmt::arg("oscillating", oscillating), fmt::arg("mean", mean),
-      fmt::arg("closed", rounded_down(closed_below(facts))), fmt::arg("share", oscillating / mean));
+      fmt::arg("amplitude", amplitude_words), fmt::arg("indentation", indentation_words),
+      fmt::arg("load", load_words(problem)), fmt::arg("oscillating", oscillating_words),
+      fmt::arg("mean", mean_words),
+      fmt::arg("closed", rounded_down(std::max(0.0, closed_below(facts)), "m")),
+      fmt::arg("share", rounded(oscillating / mean, "")));
 }
 
 // Each that is not yes, by the order of kinds.

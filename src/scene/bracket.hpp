@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -19,5 +20,9 @@ std::pair<const Row*, const Row*> rows_around(const std::vector<Row>& rows, doub
   if (above == rows.begin()) return {nullptr, nullptr};
   return {&*(above - 1), &*above};
 }
+
+/// "20 kHz is outside the receptance in drive.csv, 1 kHz to 10 kHz": `table` with its file, whose
+/// rows go from omega `first` to `last`.
+std::string outside_words(double omega, const std::string& table, double first, double last);
 
 }  // namespace vcrit

@@ -1,7 +1,5 @@
 #include "scene/measured_stiffness.hpp"
 
-#include <fmt/core.h>
-
 #include "scene/bracket.hpp"
 #include "scene/stiffness_data.hpp"
 
@@ -23,8 +21,8 @@ std::optional<MeasuredNumbers> numbers_at(const MeasuredStiffness& measured, dou
 
 std::string outside_words(const MeasuredStiffness& measured, double omega) {
   const auto& rows = measured.table->rows;
-  return fmt::format("omega = {} rad/s is outside the measured stiffness in {}, {} to {} rad/s",
-                     omega, measured.table->file, rows.front().omega, rows.back().omega);
+  return outside_words(omega, "the measured stiffness in " + measured.table->file,
+                       rows.front().omega, rows.back().omega);
 }
 
 }  // namespace vcrit

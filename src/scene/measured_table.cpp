@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "base/rounded.hpp"
 #include "scene/stiffness_columns.hpp"
 #include "scene/stiffness_data.hpp"
 
@@ -14,10 +15,10 @@ namespace {
 void refuse_active(const fit::StiffnessRow& row, const std::string& file) {
   const Place place{file, row.line};
   if (!(row.storage > 0))
-    throw InputError(place, fmt::format("a storage stiffness of {} N/m", row.storage),
+    throw InputError(place, "a storage stiffness of " + rounded(row.storage, "N/m"),
                      "one above 0 in each row", "leave out the row, or fit a network: vcrit fit");
   if (row.loss < 0)
-    throw InputError(place, fmt::format("a loss stiffness of {} N/m", row.loss),
+    throw InputError(place, "a loss stiffness of " + rounded(row.loss, "N/m"),
                      "at least 0 in each row: a contact below that gives energy",
                      "leave out the row, or fit a network: vcrit fit");
 }

@@ -39,6 +39,7 @@ const std::string& usual_name(std::size_t quantity) { return known()[quantity].n
 // "Storage error [N/um]" is storage_error and N/um; quotes around the whole do no harm.
 struct Heading {
   std::string name, unit;
+  std::string cell = {}, written = {};  ///< whole, and the name, as the file has them: E', not e'
 };
 Heading heading(std::string cell, const Place& place) {
   if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
@@ -55,6 +56,8 @@ Heading heading(std::string cell, const Place& place) {
   auto& name = result.name;
   name.erase(name.find_last_not_of(' ') + 1);
   name.erase(0, name.find_first_not_of(' '));
+  result.cell = cell;
+  result.written = name;
   for (char& c : name)
     c = c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return result;
@@ -88,14 +91,27 @@ std::optional<double> modulus_in(const std::string& unit, const Place& place) {
   }
 }
 
+/// Of one unit in SI units. Complaints name the heading, as the file says no "1 foo".
+double of_one(const Heading& heading, Dimension dimension, const Place& place) {
+  const std::string one = "1 " + heading.unit;
+  try {
+    return parse_quantity(one, dimension, place);
+  } catch (const InputError& error) {
+    std::string found = error.found();
+    if (const std::string quoted = '"' + one + '"'; found.starts_with(quoted))
+      found.replace(0, quoted.size(), '"' + heading.cell + '"');
+    throw InputError(place, found, error.expected(), error.advice());
+  }
+}
+
 double factor(const Heading& heading, Dimension dimension, const std::optional<Punch>& punch,
               TableColumns& columns, const Place& place) {
   if (heading.unit.empty()) return 1;
   const auto modulus =
       dimension == Dimension::stiffness ? modulus_in(heading.unit, place) : std::nullopt;
-  if (!modulus) return parse_quantity("1 " + heading.unit, dimension, place);
+  if (!modulus) return of_one(heading, dimension, place);
   if (!punch)
-    throw InputError(place, fmt::format("{} in {}, a modulus", heading.name, heading.unit),
+    throw InputError(place, fmt::format("{} in {}, a modulus", heading.written, heading.unit),
                      "a stiffness, as N/um; or `punch_radius` and `poisson` of a flat punch, whose "
                      "stiffness is 2 a E/(1 - nu^2)");
   columns.moduli = true;

@@ -8,6 +8,7 @@
 #include "base/constants.hpp"
 #include "base/csv.hpp"
 #include "base/files.hpp"
+#include "base/rounded.hpp"
 #include "scene/stiffness_columns.hpp"
 #include "scene/written_digits.hpp"
 
@@ -30,10 +31,10 @@ void refuse_values(const StiffnessRow& row, bool errors, const Place& place) {
     if (!std::isfinite(value))
       throw InputError(place, "a number that is infinite in SI units", "the range of doubles");
   if (!(row.omega > 0))
-    throw InputError(place, fmt::format("an angular frequency of {} rad/s", row.omega),
+    throw InputError(place, fmt::format("a frequency of {}", rounded_frequency(row.omega)),
                      "a frequency above 0");
   const auto refuse = [&](const char* name, double value, const char* expected) {
-    throw InputError(place, fmt::format("{} = {} N/m", name, value), expected);
+    throw InputError(place, fmt::format("{} = {}", name, rounded(value, "N/m")), expected);
   };
   const auto far_below = [&](double value, double error) {
     return errors ? value < -errors_below_zero * error
@@ -55,7 +56,8 @@ void refuse_frequency_order(const std::vector<StiffnessRow>& rows, const Place& 
   const double before = rows[rows.size() - 2].omega, now = rows.back().omega;
   const bool rises = rows[1].omega > rows[0].omega;
   if (now != before && (now > before) == rises) return;
-  throw InputError(place, fmt::format("omega = {} rad/s after {}", now, before),
+  const auto [now_words, before_words] = rounded_apart(now / two_pi, before / two_pi, "Hz");
+  throw InputError(place, fmt::format("{} after {}", now_words, before_words),
                    rises ? "frequencies that go on rising" : "frequencies that go on falling");
 }
 
@@ -64,8 +66,9 @@ void note_below_zero(Data& data, const Place& place) {
   const auto note = [&](const char* name, double value) {
     if (value < 0)
       data.notes.push_back(fmt::format(
-          "{}: {} = {:.4g} N/m is below 0 ({:.2g} % of |K|): taken for noise, and fitted as it is",
-          to_text(place), name, value, 100 * std::abs(value) / std::hypot(row.storage, row.loss)));
+          "{}: {} = {} is below 0 ({:.2g} % of |K|): taken for noise, and fitted as it is",
+          to_text(place), name, rounded(value, "N/m"),
+          100 * std::abs(value) / std::hypot(row.storage, row.loss)));
   };
   note("storage", row.storage);
   note("loss", row.loss);
@@ -103,10 +106,10 @@ Data parse_data(const std::string& text, const std::string& file,
   Data data{file, {}, columns[storage_error].has_value(), {}};
   if (const auto note = assumed_units(columns)) data.notes.push_back(*note);
   if (columns.moduli)
-    data.notes.push_back(fmt::format(
-        "moduli, times {:.6g} m: below a flat punch of radius {:.6g} m with nu = {:.6g} the "
-        "stiffness is 2 a E/(1 - nu^2)",
-        punch->length(), punch->radius, punch->poisson));
+    data.notes.push_back(
+        fmt::format("moduli, times {}: below a flat punch of radius {} with nu = {:.6g} the "
+                    "stiffness is 2 a E/(1 - nu^2)",
+                    rounded(punch->length(), "m"), rounded(punch->radius, "m"), punch->poisson));
   while (lines.next()) {
     data.rows.push_back(
         row_of(lines.numbers(count, fmt::format("{} numbers, as the header has", count)), columns));

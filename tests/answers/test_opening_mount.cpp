@@ -184,7 +184,7 @@ BOOST_AUTO_TEST_CASE(without_a_load_or_with_a_mass_it_is_refused) {
   };
   const std::string mount = "[mount]\nnetwork = \"km\"\n", load = "[load]\nforce = 1.0\n";
   BOOST_TEST(said(load + mount, {}) == "accepted");
-  BOOST_TEST(test::has(said(mount, 1), "that of a load, and none is given"));
+  BOOST_TEST(test::has(said(mount, 1), "needs a load for its mean force, and none is given"));
   BOOST_TEST(test::has(said(load + mount + "mass = 1.0\n", {}), "react on each other"));
 }
 

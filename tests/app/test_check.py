@@ -81,12 +81,12 @@ class Check(Case):
         self.assertIn(f"{example('zener')}: no problems; these commands answer: derive, eval, generate, simulate, "
                       "critical, plot, sweep, solve, validate\n", told)
         self.assertNotIn("  not critical", told)
-        self.assertIn("  validate leaves out the stability maps: of networks of springs and dampers alone", told)
+        self.assertIn("  validate leaves out the stability maps: available only for networks of springs and dampers, without masses or tables", told)
 
     def test_outside_the_model(self):
         told = self.out("check", example("inadmissible"), status=3)
         self.assertIn("warning  outside the model: the contact opens", told)
-        self.assertIn("(Eq. 4); take an amplitude below 0.2236 um, or let the contact open: separation = true", told)
+        self.assertIn("(Eq. 4); take an amplitude below 0.2236 µm, or let the contact open: separation = true", told)
         self.assertIn("inadmissible.toml: 1 warning, outside the model; these commands answer: derive, eval", told)
         # An error goes before.
         self.out("check", self.write(BAD), example("inadmissible"), status=2)
@@ -99,7 +99,15 @@ class Check(Case):
     def test_missing_values_leave_what_needs_none(self):
         told = self.out("check", self.scene({"kn": "k_of_pad"}))
         self.assertIn("these commands answer: derive, generate\n", told)
-        self.assertIn("no value for k_of_pad", told)
+        self.assertIn("no value for k_of_pad; a number for each, in the scene or by --set NAME=VALUE", told)
+
+    def test_missing_numbers_have_the_names_of_their_keys(self):
+        text = (PROJECT / "scenes/zener.toml").read_text()
+        for line in ('frequency   = "20 kHz"', 'coefficient = 0.3'):
+            self.assertIn(line, text)
+            text = text.replace(line, "")
+        told = self.out("check", self.write(text.replace('amplitude   = "0.1 um"', 'amplitude   = "swing"')))
+        self.assertIn("no value for mu0 (coefficient), omega (frequency), swing (amplitude)", told)
 
     def test_an_element_of_another_case_is_the_one_that_is_missing(self):
         scene = self.write((PROJECT / "scenes/zener.toml").read_text().replace('k1 = "4 N/um"', 'K1 = "4 N/um"'))

@@ -4,6 +4,7 @@ import cmath
 import json
 import math
 import random
+import re
 import unittest
 
 from program import Case
@@ -65,7 +66,7 @@ class Fit(Case):
         self.assertEqual(len(found), len(truth))
         for a, b in zip(found, truth):
             self.assertAlmostEqual(a / b, 1, delta=1e-9)
-        self.assertIn("below a flat punch of radius 0.0005 m", " ".join(result["words"]))
+        self.assertIn("below a flat punch of radius 500 µm", " ".join(result["words"]))
         self.write(text, "data.csv")
         self.refused(2, ["fit", "data.csv", "--out", "a.toml"], "found storage_modulus in MPa, a modulus")
         self.refused(2, ["fit", "data.csv", "--out", "a.toml", "--punch-radius", "1 mm"], "expected --poisson as well")
@@ -156,7 +157,12 @@ class Fit(Case):
         self.assertEqual([len(values) for values in drawn], [301, 301, 60, 60])
         # The drawn line is the model within what 1 % of noise leaves of it.
         for frequency, storage, *_ in drawn[0]:
-            self.assertAlmostEqual(storage / stiffness(2 * math.pi * frequency).real, 1, delta=0.01)
+            self.assertAlmostEqual(1e6 * storage / stiffness(2 * math.pi * frequency).real, 1, delta=0.01)
+        self.assertEqual([chart["y"]["title"] for chart in charts[::2]], 2 * ["stiffness, N/µm"])
+        words = re.sub(r"<(script|style|pre)\b.*?</\1>", "", page, flags=re.DOTALL)
+        self.assertIn("60 frequencies from 10 Hz to 30 kHz", words)
+        self.assertRegex(words, r"<td>(2\.9|3\.0)\d\d? N/µm ± \d+ kN/m</td><td>(99\d(\.\d)? µs|1\.\d{1,3} ms) ± \d+ µs")
+        self.assertNotRegex(words, r"\d(\.\d+)?e[+-]\d")
         residuals = [point[1] for series in charts[1]["series"][:2] for point in series["points"]]
         self.assertEqual(len(residuals), 120)
         # In per cent, of 1 % noise: the mean square is 1 less 7 of 120 parameters, scattering by 13 %.
@@ -174,7 +180,11 @@ class Fit(Case):
         self.write(table(stiffness), "d.csv")
         result = self.run_program("fit", "d.csv", "--out", "s.toml")
         self.assertEqual(result.stdout.splitlines()[0], "3 branches and an equilibrium spring")
-        self.assertEqual(result.stdout.splitlines()[-2:], ["s.toml", "s.html"])
+        self.assertEqual(result.stdout.splitlines()[-2:], [
+            "Wrote s.toml and, with data and series, s.html.", "It lacks numbers, which vcrit check s.toml names."])
+        whole = self.run_program("fit", "d.csv", "--out", "s.toml", "--frequency", "1 kHz", "--amplitude", "0.1 um",
+                                 "--indentation", "1 um", "--coefficient", "0.3", "--poisson", "0.3")
+        self.assertEqual(whole.stdout.splitlines()[-1], "Wrote s.toml and, with data and series, s.html.")
         self.assertRegex(result.stdout, r"k    3 N/µm .* tau  1 ms ")
 
     # Storage that swings up and down is no network's.

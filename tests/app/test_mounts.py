@@ -109,7 +109,7 @@ class Mounts(Case):
         said("found no value for u_z0", "indentation in [oscillation] or force in [load]", indentation="")
 
     def test_a_contact_that_may_open_needs_a_load_and_no_mass(self):
-        for mount, words in (('network = "km"', "that of a load, and none is given"),
+        for mount, words in (('network = "km"', "needs a load for its mean force, and none is given"),
                              ('network = "km"\nmass = 1e-4', "height and force react on each other")):
             scene = self.mounted(mount, contact="separation = true")
             for command in (["eval"], ["simulate", "--velocity", "1e-3"], ["critical"], ["generate", "--out", "out"]):

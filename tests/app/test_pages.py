@@ -3,6 +3,7 @@ and on paper, no speed where there is none, and a failed check above everything.
 """
 
 import base64
+import itertools
 import json
 import os
 import re
@@ -21,9 +22,9 @@ SCENES = ["zener", "inadmissible", "sonotrode", "burgers"]
 FULL = "tests/matrix/kinds/separation_mount.toml"
 PHONE, DESK = 390, 1200  # pixels
 
-# Words that stand on a curve of the chart of v* over frequency; how many words there are, and how many rules.
+# Words that stand on a curve of a chart; how many words there are, and how many rules.
 ON_CURVES = """
-    const svg = document.querySelector('#critical_velocity .chart > svg'), found = [];
+    const svg = document.getElementById(arguments[0]).querySelector('.chart > svg'), found = [];
     const texts = [...svg.querySelectorAll('.words text')].map((text) => [text.textContent, text.getBoundingClientRect()]);
     for (const path of svg.querySelectorAll('.series path')) {
         const place = path.getScreenCTM();
@@ -127,9 +128,27 @@ class Pages(unittest.TestCase):
             for width in (DESK, PHONE):
                 self.open(page, width)
                 with self.subTest(page=page, width=width):
-                    crossed, words, rules = self.script(ON_CURVES)
+                    crossed, words, rules = self.script(ON_CURVES, "critical_velocity")
                     self.assertEqual(crossed, [])
                     self.assertEqual(words, rules)
+
+    def test_words_of_shades_keep_off_the_curve(self):
+        for page, width in itertools.product(("zener", "sonotrode", "burgers"), (DESK, PHONE)):
+            self.open(page, width)
+            for chart in ("friction_over_speed", "cycle_force", "cycle_velocity"):
+                with self.subTest(page=page, width=width, chart=chart):
+                    crossed, words, _ = self.script(ON_CURVES, chart)
+                    self.assertEqual(crossed, [])
+                    self.assertGreaterEqual(words, 1)
+
+    def test_storage_and_loss_are_told_apart_without_colour(self):
+        self.open("zener")
+        records = [chart["record"] for chart in self.script(CHARTS)]
+        series = next(each for each in records if each["name"] == "stiffness")["series"]
+        dashes = {each["name"]: each["dashes"] for each in series}
+        self.assertEqual(len(dashes), 5)
+        self.assertFalse({dashes[name] for name in dashes if name.endswith("storage")} &
+                         {dashes[name] for name in dashes if name.endswith("loss")})
 
     # A map is light in the dark, too.
     def test_lines_on_a_map_are_dark(self):
@@ -147,9 +166,9 @@ class Pages(unittest.TestCase):
     def test_words_of_a_drawing_can_be_read(self):
         smallest = """return Math.min(...[...document.querySelectorAll('.system text')].map((text) =>
             text.getScreenCTM().a * parseFloat(getComputedStyle(text).fontSize)))"""
-        for page in [*SCENES, "separation_mount"]:
-            self.open(page, PHONE, draw=False)
-            with self.subTest(page=page):
+        for page, width in itertools.product([*SCENES, "separation_mount"], (PHONE, DESK)):
+            self.open(page, width, draw=False)
+            with self.subTest(page=page, width=width):
                 self.assertGreaterEqual(self.script(smallest), 11)
 
     # Two sheets, on which the chart and the formula are; the explorer is not.

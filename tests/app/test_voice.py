@@ -125,8 +125,13 @@ class Tables(Case):
     def test_without_a_file_the_table_is_printed(self):
         rows = [line.split("  ") for line in self.out(*self.SWEEP).splitlines()]
         self.assertEqual([[cell.strip() for cell in row if cell] for row in rows],
-                         [["velocity [m/s]", "regime"], ["0.0005", "stick-slip"], ["0.0025", "stick-slip"], ["0.0045", "sliding"]])
+                         [["velocity [mm/s]", "regime"], ["0.5", "stick-slip"], ["2.5", "stick-slip"], ["4.5", "sliding"]])
         self.assertEqual(self.answer(*self.SWEEP)["table"], [[0.0005, "stick-slip"], [0.0025, "stick-slip"], [0.0045, "sliding"]])
+
+    # 4.094841503754417 mm/s at 20 kHz; the contact opens above 0.3968 um.
+    def test_numbers_of_a_printed_table_have_four_digits_and_one_unit_a_column(self):
+        text = self.run_program("sweep", ZENER, "--over", "amplitude=lin:0.1 um:0.5 um:2", "--quantity", "critical_velocity").stdout
+        self.assertEqual(text.splitlines(), ["amplitude [µm]  critical_velocity [mm/s]", "0.1             4.095", "0.5             nan"])
 
     def test_csv_on_standard_output_is_that_of_a_file(self):
         self.out(*self.SWEEP, "--out", "table.csv")

@@ -50,6 +50,8 @@ BOOST_AUTO_TEST_CASE(no_prefix_where_none_is_used) {
   BOOST_TEST(rounded(125664, "rad/s") == "125700 rad/s");
   BOOST_TEST(rounded(0, "m") == "0 m");
   BOOST_TEST(rounded(0, "kg") == "0 kg");
+  BOOST_TEST(rounded(0.02, "Hz") == "0.02 Hz");
+  BOOST_TEST(rounded(-0.7, "N/m") == "-0.7 N/m");
   BOOST_TEST(rounded(1.5e-9, "") == "1.5 × 10⁻⁹");
 }
 
@@ -72,6 +74,35 @@ BOOST_AUTO_TEST_CASE(all_digits_read_back) {
   BOOST_TEST(rounded(2.0 / 3, "", all_digits) == "0.6666666666666666");
   BOOST_TEST(rounded(2.0 / 3, "", 2) == "0.67");
   BOOST_TEST(rounded(0.0123, "N", 1) == "10 mN");
+}
+
+BOOST_AUTO_TEST_CASE(an_angular_frequency_is_told_in_hertz) {
+  BOOST_TEST(rounded_frequency(125663.706) == "20 kHz");
+}
+
+BOOST_AUTO_TEST_CASE(a_bound_is_rounded_to_its_side) {
+  BOOST_TEST(rounded_down(3.9689e-7, "m") == "0.3968 µm");
+  BOOST_TEST(rounded_up(3.9681e-7, "m") == "0.3969 µm");
+  BOOST_TEST(rounded_up(9.9991e-3, "m/s") == "10 mm/s");
+  BOOST_TEST(rounded_down(1.00009e-3, "m/s") == "1 mm/s");
+  BOOST_TEST(rounded_down(-2.0001, "N") == "-2.001 N");
+  BOOST_TEST(rounded_up(-2.0009, "N") == "-2 N");
+  BOOST_TEST(rounded_up(0, "m") == "0 m");
+  BOOST_TEST(rounded_down(endless, "m/s") == "∞");
+}
+
+BOOST_AUTO_TEST_CASE(a_bound_of_four_digits_stays_itself) {
+  for (const double value : {499.99999999999994e-9, 5e-7, 500.00000000000006e-9}) {
+    BOOST_TEST(rounded_down(value, "m") == "0.5 µm");
+    BOOST_TEST(rounded_up(value, "m") == "0.5 µm");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(numbers_that_differ_are_told_apart) {
+  using Both = std::pair<std::string, std::string>;
+  BOOST_TEST((rounded_apart(4, 3, "N") == Both("4 N", "3 N")));
+  BOOST_TEST((rounded_apart(5.00003e-3, 5e-3, "m/s") == Both("5.00003 mm/s", "5 mm/s")));
+  BOOST_TEST((rounded_apart(0.5, 0.5, "N") == Both("500 mN", "500 mN")));
 }
 
 BOOST_AUTO_TEST_CASE(per_cent_are_whole_and_rounded_down) {

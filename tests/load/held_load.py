@@ -130,7 +130,7 @@ class Trial:
             ("below a mount", "mount" in self.scene),
             ("several parts hold it", has_masses and "body" not in self.scene),
             ("cells with a memory", self.by_phases and has_dampers),
-            ("opens all over", self.by_phases and not self.draw.separates),
+            ("whole contact opens", self.by_phases and not self.draw.separates),
             # docs/limits.md: a light body on the drive rings on while the rim of the indenter opens.
             ("within the bound on the work", self.by_phases and self.draw.separates and "body" in self.scene),
             ("below an indenter", self.by_phases and (has_masses or is_measured))))

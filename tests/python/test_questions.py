@@ -61,7 +61,7 @@ class Solve(unittest.TestCase):
                 ("^velocity: found a velocity, which is sought", ("velocity", 0.5), {"velocity": 1.0}),
                 ("^friction_ratio: found 1; expected", ("velocity", 1.0), {}),
                 ("^from_: found -1 m/s; expected a number above 0", ("velocity", 0.5), {"from_": -1.0}),
-                ("^from_, to: found from 0.002", ("velocity", 0.5), {"from_": "2 mm/s", "to": "1 mm/s"}),
+                ("^from_, to: found from 2 mm/s to 1 mm/s", ("velocity", 0.5), {"from_": "2 mm/s", "to": "1 mm/s"}),
                 ('^to: found "1 Hz"', ("velocity", 0.5), {"to": "1 Hz"}),
                 ("^samples: found 2", ("velocity", 0.5), {"samples": 2})]:
             with self.subTest(words), self.assertRaisesRegex(vcrit.InputError, words) as caught:

@@ -132,7 +132,10 @@ BOOST_AUTO_TEST_CASE(symbols_need_no_value_until_a_number_is_asked_for) {
   BOOST_TEST(s.elements.size() == 5);
   for (const auto& [symbol, value] : s.elements) BOOST_TEST(!value.has_value());
   const std::string text = message(kelvin + "[drive]\nnetwork = \"kd\"\n[body]\nmass = \"m\"\n");
-  BOOST_TEST(has(text, "kn, cn, kt, ct, kd, mu0, omega, du_z, u_z0, m"));
+  BOOST_TEST(has(text,
+                 "kn, cn, kt, ct, kd, mu0 (coefficient), omega (frequency), du_z (amplitude), u_z0 "
+                 "(indentation), "
+                 "m (mass)"));
 }
 
 BOOST_AUTO_TEST_CASE(a_ratio_may_be_a_symbol) {

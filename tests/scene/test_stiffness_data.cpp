@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(moduli_are_taken_below_a_punch) {
   BOOST_TEST(close(data.rows[0].storage_step, 1e3 / 0.84));
   BOOST_TEST(close(data.rows[1].loss_step, std::hypot(2e5 * 0.01, 0.25e3 / 0.84)));
   BOOST_TEST(data.notes.front() ==
-             "moduli, times 0.00119048 m: below a flat punch of radius 0.0005 m with nu = 0.4 the "
+             "moduli, times 1.19 mm: below a flat punch of radius 500 µm with nu = 0.4 the "
              "stiffness is 2 a E/(1 - nu^2)");
   const auto refused = [&](const std::string& text) {
     return test::refusal([&] { parse_data(text, "d.csv", punch); });
@@ -129,8 +129,13 @@ BOOST_AUTO_TEST_CASE(wrong_headers) {
              "d.csv:1: found two columns loss; expected one of each");
   BOOST_TEST(message("frequency,storage,loss,loss_error\n") ==
              "d.csv:1: found one of storage_error and loss_error; expected both or none");
-  BOOST_TEST(message("frequency (rad/s),storage,loss\n").starts_with("d.csv:1: found \"1 rad/s\""));
-  BOOST_TEST(message("frequency,storage [s],loss\n").starts_with("d.csv:1: found \"1 s\""));
+  BOOST_TEST(message("frequency (rad/s),storage,loss\n")
+                 .starts_with("d.csv:1: found \"frequency (rad/s)\""));
+  BOOST_TEST(message("frequency,storage [s],loss\n").starts_with("d.csv:1: found \"storage [s]\""));
+  BOOST_TEST(message("f [Hz],E' [MPa],E'' [foo]\n")
+                 .starts_with("d.csv:1: found E' in MPa, a modulus; expected a stiffness"));
+  BOOST_TEST(message("f [Hz],K',K'' [foo]\n")
+                 .starts_with("d.csv:1: found \"K'' [foo]\" (unknown unit \"foo\")"));
   BOOST_TEST(message("frequency,storage [MPa],loss\n") ==
              "d.csv:1: found storage in MPa, a modulus; expected a stiffness, as N/um; or "
              "`punch_radius` and `poisson` of a flat punch, whose stiffness is 2 a E/(1 - nu^2)");
@@ -166,7 +171,7 @@ BOOST_AUTO_TEST_CASE(wrong_rows) {
   BOOST_TEST(message("frequency,storage,loss\n1e308,2,3\n") ==
              "d.csv:2: found a number that is infinite in SI units; expected the range of doubles");
   BOOST_TEST(with("0,2,3\n2,2,3\n") ==
-             "d.csv:2: found an angular frequency of 0 rad/s; expected a frequency above 0");
+             "d.csv:2: found a frequency of 0 Hz; expected a frequency above 0");
   BOOST_TEST(with("1,-2,3\n2,2,3\n") ==
              "d.csv:2: found storage = -2 N/m; expected a storage stiffness of at least 0");
   BOOST_TEST(with("1,2,3\n2,2,-3\n") ==
@@ -177,9 +182,9 @@ BOOST_AUTO_TEST_CASE(wrong_rows) {
     return message("angular_frequency,storage,loss\n" + rows);
   };
   BOOST_TEST(order("1,2,3\n2,2,3\n2,2,3\n") ==
-             "d.csv:4: found omega = 2 rad/s after 2; expected frequencies that go on rising");
+             "d.csv:4: found 0.3183 Hz after 0.3183 Hz; expected frequencies that go on rising");
   BOOST_TEST(order("3,2,3\n2,2,3\n\n4,2,3\n") ==
-             "d.csv:5: found omega = 4 rad/s after 2; expected frequencies that go on falling");
+             "d.csv:5: found 0.6366 Hz after 0.3183 Hz; expected frequencies that go on falling");
   BOOST_TEST(message("frequency,storage,loss,storage_error,loss_error\n1,2,3,0,1\n") ==
              "d.csv:2: found storage_error = 0 N/m; expected an error above 0");
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/constants.hpp"
+#include "base/rounded.hpp"
 #include "compare/system_size.hpp"
 #include "compare/velocity_comparisons.hpp"
 #include "critical/conditioning.hpp"
@@ -56,7 +57,7 @@ Comparison of_velocity(const Border& border, double uncertainty, const char* key
                 border.condition)
           : "motion in closed form, in doubles: leaves six digits to lose near resonance";
   if (open > 0)
-    comparison.reason += fmt::format("; and ±{:.2g} m/s, {}", open, border.why);
+    comparison.reason += fmt::format("; and ±{}, {}", rounded(open, "m/s", 2), border.why);
   return comparison;
 }
 
@@ -179,8 +180,8 @@ Comparison compare_march(const Border& border, const System& system) {
   Comparison comparison = of_velocity(border, 0, "marched", "");
   comparison.reason = "the speeds that were marched at";
   comparison.found = border.contact_velocity;
-  // At a free harmonic a motion that stuck ends in one whose sticks last no time, at any speed above
-  // the border: that it sticks tells nothing there.
+  // At a free harmonic a motion that stuck ends in one whose sticks last no time, at any speed
+  // above the border: that it sticks tells nothing there.
   const std::string endless =
       simulation::free_harmonic(system) > 1 ? simulation::why_sticks_linger(system) : "";
   std::string why;

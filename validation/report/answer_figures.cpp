@@ -237,6 +237,7 @@ std::optional<Figure> stiffness_figure(const SceneReport& report) {
       "Storage stiffness, the real part, and loss stiffness, the imaginary part, of each network.";
   figure.height = 240;
   figure.y = {"dynamic stiffness, " + stiffness.unit, true, {}, {}};
+  // Losses are dotted, and none of these colours has dots: grey prints tell them apart, too.
   // A loss of 0 has no place on a logarithmic axis, nor has the storage of a drive above its own
   // resonance.
   const auto add = [&](const std::string& name, int colour, const ReducedNetwork& network,
@@ -260,7 +261,7 @@ std::optional<Figure> stiffness_figure(const SceneReport& report) {
   add("normal", 0, problem->normal, 1);
   const ScaledNetwork tangential = tangential_network(problem);
   add("tangential", 1, tangential.network, tangential.factor);
-  if (const ReducedNetwork* drive = problem->drive_network()) add("drive", 3, *drive, 1);
+  if (const ReducedNetwork* drive = problem->drive_network()) add("drive", 4, *drive, 1);
   return figure;
 }
 

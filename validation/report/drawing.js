@@ -276,20 +276,29 @@ const vcrit_drawing = (() => {
     add(into, "text", { x: short(box.x), y: short(box.y + 12) }, words);
   }
 
-  // Shades, each with its words at the top if they fit. `taken` grows by the boxes of words.
-  function drawBands(plan, into, wordsInto, taken) {
-    for (const { from, to, colour, words } of plan.figure.bands) {
-      const left = Math.max(0, plan.x(from)), width = short(Math.min(plan.inner, plan.x(to)) - left);
-      const own = widthOf(words);
-      if (!(width > 0)) continue;
-      add(into, "rect", { class: "band", x: left, y: 0, width, height: plan.height, fill: colour, opacity: 0.07 });
-      if (!words || own + 8 > width) continue;
-      const box = { x: left + (width - own) / 2, y: 2, width: own, height: lineHeight };
-      taken.push(box);
-      drawWords(wordsInto, box, words);
+  const widthOfBand = (plan, { from, to }) => short(Math.min(plan.inner, plan.x(to)) - Math.max(0, plan.x(from)));
+
+  function drawBands(plan, into) {
+    for (const band of plan.figure.bands) {
+      const x = Math.max(0, plan.x(band.from)), width = widthOfBand(plan, band);
+      if (width > 0) add(into, "rect", { class: "band", x, y: 0, width, height: plan.height, fill: band.colour, opacity: 0.07 });
     }
   }
 
+  // Words of shades, if they fit: at the top, or as far below it as curves and rules ask for. `taken` grows by the boxes of words.
+  function drawBandWords(plan, into, taken) {
+    for (const band of plan.figure.bands) {
+      const width = widthOfBand(plan, band), own = widthOf(band.words);
+      if (!band.words || own + 8 > width) continue;
+      const top = { x: Math.max(0, plan.x(band.from)) + (width - own) / 2, y: 2, width: own, height: lineHeight };
+      const places = Array.from({ length: Math.floor((plan.height - lineHeight) / 6) }, (_, i) => ({ ...top, y: 2 + 6 * i }));
+      const box = free(plan, taken, places) ?? top;
+      taken.push(box);
+      drawWords(into, box, band.words);
+    }
+  }
+
+  // And the words of bands, which keep off the lines of rules, as the words of rules keep off them.
   function drawRules(plan, into, wordsInto, taken) {
     const { inner, height } = plan;
     const shown = plan.figure.rules.filter(({ at, horizontal }) =>
@@ -300,6 +309,7 @@ const vcrit_drawing = (() => {
                           "stroke-dasharray": "4 3" });
       taken.push({ line: true, x, y, width: horizontal ? inner : 0, height: horizontal ? 0 : height });
     }
+    drawBandWords(plan, wordsInto, taken);
     for (const rule of shown.filter(({ words }) => words)) {
       const { text, box } = placed(plan, taken, rule) ?? {};
       if (!box) continue;
@@ -368,7 +378,7 @@ const vcrit_drawing = (() => {
     const halo = { stroke: paper, "stroke-width": 3, "stroke-linejoin": "round", "paint-order": "stroke" };
     const words = add(into, "g", { class: "words", fill: soft, ...halo });
     const taken = [];
-    drawBands(plan, bands, words, taken);
+    drawBands(plan, bands);
     drawSeries(plan, series, taken);
     drawRules(plan, rules, words, taken);
     for (const horizontal of [true, false]) drawAxis(plan, into, horizontal);

@@ -7,7 +7,7 @@
 namespace vcrit::validation::report {
 
 std::string explore_page(const Problem& problem) {
-  rules::require(rules::Question::report_explorer, problem);
+  rules::require(rules::Question::report_explorer, problem, "no explorer: ");
   const Source& source = *problem->source;
   const std::string heading = source.title.empty() ? source.file : source.title;
   record::Json page{{"version", VCRIT_VERSION},

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/constants.hpp"
+#include "base/rounded.hpp"
 
 namespace vcrit::validation::report {
 
@@ -19,22 +20,29 @@ constexpr int points_of_line = 300;  // smooth to the eye
 
 enum Colour { storage_colour = 0, loss_colour = 1 };
 
+/// One unit for all stiffnesses of a page, that of the largest storage.
+UnitScale stiffness_scale(const fit::Data& data) {
+  double largest = 0;
+  for (const fit::StiffnessRow& row : data.rows) largest = std::max(largest, row.storage);
+  return scale_for(largest, "N/m");
+}
+
 FigureSeries measured_series(const fit::Data& data, const char* name,
-                             double fit::StiffnessRow::*part, int colour) {
+                             double fit::StiffnessRow::*part, int colour, double unit) {
   FigureSeries series{name, Style::circles, {}, colour};
   for (const fit::StiffnessRow& row : data.rows)
-    if (row.*part > 0) series.points.push_back({row.omega / two_pi, row.*part, ""});
+    if (row.*part > 0) series.points.push_back({row.omega / two_pi, unit * row.*part, ""});
   return series;
 }
 
 FigureSeries fitted_series(const fit::Data& data, const Relaxation& form, const char* name,
-                           bool storage) {
+                           bool storage, double unit) {
   FigureSeries series{name, Style::line, {}, storage ? storage_colour : loss_colour};
   const double from = data.rows.front().omega, to = data.rows.back().omega;
   for (int i = 0; i <= points_of_line; ++i) {
     const double omega = from * std::pow(to / from, static_cast<double>(i) / points_of_line);
     const std::complex<double> k = dynamic_stiffness(form, omega);
-    series.points.push_back({omega / two_pi, storage ? k.real() : k.imag(), ""});
+    series.points.push_back({omega / two_pi, unit * (storage ? k.real() : k.imag()), ""});
   }
   return series;
 }
@@ -45,11 +53,13 @@ Figure stiffness(const fit::Data& data, const fit::Fit& fit) {
   figure.title = "Storage and loss stiffness, measured and fitted";
   figure.caption = "Circles: measured. Lines: the series.";
   figure.x = {"frequency, Hz", true, {}, {}};
-  figure.y = {"stiffness, N/m", true, {}, {}};
-  figure.series = {fitted_series(data, fit.series, "storage", true),
-                   fitted_series(data, fit.series, "loss", false),
-                   measured_series(data, "storage", &fit::StiffnessRow::storage, storage_colour),
-                   measured_series(data, "loss", &fit::StiffnessRow::loss, loss_colour)};
+  const auto [unit, name] = stiffness_scale(data);
+  figure.y = {"stiffness, " + name, true, {}, {}};
+  figure.series = {
+      fitted_series(data, fit.series, "storage", true, unit),
+      fitted_series(data, fit.series, "loss", false, unit),
+      measured_series(data, "storage", &fit::StiffnessRow::storage, storage_colour, unit),
+      measured_series(data, "loss", &fit::StiffnessRow::loss, loss_colour, unit)};
   return figure;
 }
 
@@ -101,21 +111,24 @@ Figure spectrum(const fit::Data& data, const fit::Fit& fit) {
       "Stiffness and relaxation time of each branch, with bars of one standard deviation each way. "
       "Shaded: the inverse of the measured angular frequencies.";
   figure.x = {"relaxation time, s", true, {}, {}};
-  figure.y = {"stiffness, N/m", true, {}, {}};
+  const auto [unit, name] = stiffness_scale(data);
+  figure.y = {"stiffness, " + name, true, {}, {}};
   FigureSeries dots{"", Style::dots, {}, storage_colour};
   for (const fit::FittedBranch& branch : fit.branches) {
     const auto& [k, tau] = branch;
-    dots.points.push_back({tau.value, k.value,
-                           fmt::format("k = {:.4g} ± {:.2g} N/m, τ = {:.4g} ± {:.2g} s", k.value,
-                                       k.error, tau.value, tau.error)});
+    const double height = unit * k.value;
+    dots.points.push_back({tau.value, height,
+                           fmt::format("k = {} ± {}, τ = {} ± {}", rounded(k.value, "N/m"),
+                                       rounded(k.error, "N/m", 2), rounded(tau.value, "s"),
+                                       rounded(tau.error, "s", 2))});
     const double up = 1 + k.error / k.value, aside = 1 + tau.error / tau.value;
     figure.series.push_back({"",
                              Style::line,
-                             {{tau.value, k.value / up, ""}, {tau.value, k.value * up, ""}},
+                             {{tau.value, height / up, ""}, {tau.value, height * up, ""}},
                              storage_colour});
     figure.series.push_back({"",
                              Style::line,
-                             {{tau.value / aside, k.value, ""}, {tau.value * aside, k.value, ""}},
+                             {{tau.value / aside, height, ""}, {tau.value * aside, height, ""}},
                              storage_colour});
   }
   figure.series.push_back(std::move(dots));

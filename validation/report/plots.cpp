@@ -43,7 +43,7 @@ std::vector<double> speeds_up_to(double to, double onset) {
 
 double end_of_speeds(const CriticalOnset& onset, std::optional<double> to) {
   if (to && !(*to > 0 && std::isfinite(*to)))
-    throw InputError(argument("to"), fmt::format("a speed of {} m/s", *to), "a speed above 0");
+    throw InputError(argument("to"), "a speed of " + rounded(*to, "m/s"), "a speed above 0");
   if (to) return *to;
   if (std::isinf(onset.drive_velocity))
     throw ModelError(onset.reason + ": no speed ends the picture", "give the largest one, `to`");

@@ -16,6 +16,7 @@ namespace {
 constexpr double body_height = 44, plate_height = 20, foot_height = 16, foot_width = 44;  // px
 constexpr double body_reach = 48;            // to the left of the middle, at least
 constexpr std::size_t most_with_values = 4;  // names and values of more would need too much room
+constexpr std::size_t most_listed = 8;       // and these below the drawing
 // On a phone of 390 pixels, 374 beside its margins, 14 units are 11 pixels: 476 units, 16 of them
 // the margins of an image.
 constexpr double phone_width = 460;
@@ -56,16 +57,18 @@ class DrawnNetwork {
       });
     });
     rename(network, [&](const Symbol& symbol) { return as_called(problem, symbol); });
-    if (layout == Layout::names_alone) {
-      look_.most_branches = narrow_branches;
-      if (numbers_in(network) <= most_with_values)
+    const std::size_t numbers = numbers_in(network);
+    if (layout == Layout::names_alone) look_.most_branches = narrow_branches;
+    if (layout == Layout::names_alone || numbers > most_with_values) {
+      if (numbers <= most_listed)
         for (const Symbol& symbol : order)
           values_.push_back(joined({label(symbol), {plain(words[symbol])}}));
-    } else if (numbers_in(network) <= most_with_values)
+    } else {
       look_.value = [words](const Symbol& symbol) {
         const auto found = words.find(symbol);
         return found == words.end() ? std::string() : found->second;
       };
+    }
     drawing_ = draw(network, look_);
   }
   const Drawing& drawing() const { return drawing_; }

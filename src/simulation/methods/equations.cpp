@@ -61,7 +61,7 @@ std::size_t Chain::main_branch() const {
 }
 
 Equations::Equations(const System& system, double drive_velocity) {
-  if (system.opening) throw ModelError("knows no contact that opens");
+  if (system.opening) throw ModelError("does not support a contact that opens (separation = true)");
   const bool moves = system.drive && system.mass && *system.mass > 0;
   const Relaxation path =
       system.drive && !moves ? series({system.contact, *system.drive}) : system.contact;

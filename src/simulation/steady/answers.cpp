@@ -7,6 +7,7 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
+#include "base/rounded.hpp"
 #include "modes/beyond_doubles.hpp"
 #include "simulation/steady/near_resonance.hpp"
 
@@ -181,10 +182,11 @@ SteadyCycle Answers::searched(double motion_velocity, Start start) const {
     if (model_.opening || motion_velocity < border * model_.threshold) throw;
     throw ModelError(
         fmt::format("{}; the body swings nearly freely at harmonic {} of the oscillation, within a "
-                    "part in 1e5: from {} m/s, v* cos(pi/{}), to v* it slides but for sticks as "
+                    "part in 1e5: from {}, v* cos(pi/{}), to v* it slides but for sticks as "
                     "short as that, with nearly full friction",
                     error.what(), nearly_free_,
-                    (border * model_.threshold + creep) * model_.velocity_unit, 2 * nearly_free_),
+                    rounded((border * model_.threshold + creep) * model_.velocity_unit, "m/s"),
+                    2 * nearly_free_),
         "give a speed outside this range, or a drive at the harmonic or farther from it");
   }
 }

@@ -1,10 +1,9 @@
 #include "simulation/system/steady_state.hpp"
 
-#include <fmt/core.h>
-
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "base/rounded.hpp"
 
 namespace vcrit::simulation {
 
@@ -44,7 +43,7 @@ const char* to_text(Regime regime) {
 
 void require_forward(double velocity) {
   if (!(velocity > 0 && std::isfinite(velocity)))
-    throw InputError({"velocity"}, fmt::format("a speed of {} m/s", velocity),
+    throw InputError({"velocity"}, "a speed of " + rounded(velocity, "m/s"),
                      "a finite speed above 0");
 }
 
