@@ -27,7 +27,8 @@ using design::Sought;
 struct SolveOptions {
   SceneOptions scene;
   std::string sought, friction_ratio, velocity, from, to;
-  int samples = design::usual_samples, digits = few_digits;
+  std::optional<int> samples;
+  int digits = few_digits;
   bool json = false;
 };
 
@@ -101,7 +102,7 @@ struct Solution {
       limits("amplitude", it.answer.largest_amplitude)("frequency", it.answer.largest_frequency);
     });
     f.group("searched", [&](record::Fields& searched) {
-      searched("from", it.answer.from)("to", it.answer.to)("samples", it.question.samples);
+      searched("from", it.answer.from)("to", it.answer.to)("samples", it.answer.samples);
       searched("evaluations", it.answer.evaluations)("unanswered", it.answer.unanswered);
     });
     f.some("warnings", question.problem->source->warnings);
@@ -128,10 +129,11 @@ std::string solved_words(const DesignQuestion& question, const DesignAnswer& ans
   throw Bug("something sought without a sentence");
 }
 
-std::string closed_words(const DesignAnswer& answer, int digits) {
+std::string closed_words(const DesignAnswer& answer, bool below_indenter, int digits) {
   if (!(answer.largest_amplitude > 0)) return "at no amplitude";
   std::string text =
-      fmt::format("below an amplitude of {}", rounded(answer.largest_amplitude, "m", digits));
+      fmt::format("{}below an amplitude of {}", below_indenter ? "at its centre " : "",
+                  rounded(answer.largest_amplitude, "m", digits));
   if (answer.largest_frequency)
     text += fmt::format(", or a frequency of {}", rounded(*answer.largest_frequency, "Hz", digits));
   return text;
@@ -154,11 +156,16 @@ void print_solve_text(const DesignQuestion& question, const DesignAnswer& answer
   print_row("sliding speed",
             fmt::format("{}, {} times v*", rounded(answer.velocity, "m/s", digits),
                         rounded(answer.velocity / answer.critical_velocity, "", digits)));
-  print_row("contact closed", closed_words(answer, digits));
-  print_row("searched", fmt::format("{} to {} in {} samples; a dip narrower than one sample can be "
-                                    "missed (use --samples)",
-                                    in_unit(answer.from, digits), in_unit(answer.to, digits),
-                                    question.samples));
+  print_row("contact closed", closed_words(answer, question.problem->indenter.has_value(), digits));
+  const std::string from = in_unit(answer.from, digits), to = in_unit(answer.to, digits);
+  if (answer.monotonic)
+    print_row("searched", fmt::format("{} to {}; below an indenter friction never falls with the "
+                                      "speed",
+                                      from, to));
+  else
+    print_row("searched", fmt::format("{} to {} in {} samples; a dip narrower than one sample can "
+                                      "be missed (use --samples)",
+                                      from, to, answer.samples));
 }
 
 void warn_of_answer(DesignQuestion& question, const std::string& warning) {
@@ -204,8 +211,10 @@ void add_solve(CLI::App& program) {
                       "mean velocity of the drive: 0.02 or \"20 mm/s\"; not with --for velocity");
   command->add_option("--from", options->from, "lower end of the search range");
   command->add_option("--to", options->to, "upper end of the search range");
-  command->add_option("--samples", options->samples, "how many values of the range are tried")
-      ->capture_default_str();
+  command->add_option("--samples", options->samples,
+                      fmt::format("how many values of the range are tried ({}, or {} below an "
+                                  "indenter)",
+                                  design::usual_samples, design::usual_samples_below_indenter));
   add_digits(*command, options->digits);
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { run_solve(*options); });

@@ -56,7 +56,7 @@ py::dict as_dict(const design::DesignQuestion& question, const design::DesignAns
 
 py::tuple solved(const Problem& problem, const std::string& name, double friction_ratio,
                  const std::string& velocity, const std::string& from, const std::string& to,
-                 int samples) {
+                 std::optional<int> samples) {
   const Sought sought = sought_named(name);
   design::DesignQuestion question{problem,
                                   sought,
@@ -80,7 +80,6 @@ void add_solve(py::module_& module) {
   using py::arg;
   module.def("solve", &solved, arg("scene"), arg("sought"), arg("friction_ratio"), arg("velocity"),
              arg("from_"), arg("to"), arg("samples"));
-  module.attr("usual_samples") = design::usual_samples;
 }
 
 }  // namespace vcrit::python

@@ -272,13 +272,14 @@ class Scene:
 
     def solve(self, sought: str, friction_ratio: float, *, velocity: Value | None = None,
               from_: Value | None = None, to: Value | None = None,
-              samples: int = _vcrit.usual_samples) -> Solution:
+              samples: int | None = None) -> Solution:
         """What reaches mu_macro/mu0 = `friction_ratio`, as `vcrit solve`.
 
         sought: "amplitude" or "frequency", of which the smallest is found at this `velocity` of the
-        drive, or "velocity", of which the largest is. from_, to: the range to search, of which so
-        many samples are tried. Numbers in SI or texts with a unit. Raises InputError, and ModelError
-        where nothing in the range reaches the ratio: it says why, and what would.
+        drive, or "velocity", of which the largest is. from_, to: the range to search. samples: how
+        many values of it are tried, 400 or, below an indenter, 32. Numbers in SI or texts with a
+        unit. Raises InputError, and ModelError where nothing in the range reaches the ratio: it
+        says why, and what would.
         """
         return solution(self._handle, sought, friction_ratio, velocity, from_, to, samples)
 

@@ -49,7 +49,7 @@ class Solution(NamedTuple):
 
 
 def solution(scene: _vcrit.Scene, sought: str, friction_ratio: float, velocity: Any, from_: Any,
-             to: Any, samples: int) -> Solution:
+             to: Any, samples: int | None) -> Solution:
     if velocity is None and sought in ("amplitude", "frequency"):
         raise refused("velocity", "none", "the velocity of the drive")
     if velocity is not None and sought == "velocity":

@@ -48,6 +48,8 @@ double largest_amplitude_under_load(const Problem& problem) {
       .first;
 }
 
+}  // namespace
+
 // The stiffness at omega is the force of an amplitude of 1 m.
 std::optional<double> largest_closed_amplitude(const Problem& problem) {
   if (!rules::answer(Question::mean_load, problem) ||
@@ -58,6 +60,8 @@ std::optional<double> largest_closed_amplitude(const Problem& problem) {
   const long double most = facts.mean_force() / facts.oscillating_force();
   return most > 0 ? std::optional(static_cast<double>(most)) : std::nullopt;
 }
+
+namespace {
 
 std::optional<double> mean_normal_force(const Problem& problem, const Effect& effect) {
   if (problem->load) return problem.value(*problem->load);

@@ -77,6 +77,10 @@ const char* to_text(Effect::Kind kind);
 /// InputError for missing values.
 Effect without_velocities(const Problem& problem);
 
+/// The amplitude (m) at which the contact opens, below an indenter at its centre; nothing where it
+/// does at every one. Throws InputError for missing values.
+std::optional<double> largest_closed_amplitude(const Problem& problem);
+
 /// Throws InputError for missing values, ModelError where v* is 0/0 of a scene that is not outside.
 Effect effect_of(const Problem& problem);
 /// The same of v* that is known already.

@@ -6,14 +6,21 @@ namespace vcrit {
 
 namespace {
 
-std::variant<simulation::System, indenter::HalfSpace> motion_of(const Problem& problem) {
-  if (problem->indenter) return indenter::HalfSpace(problem);
-  return simulation::system_of(problem);
+std::variant<simulation::System, indenter::HalfSpace> motion_of(const Problem& problem,
+                                                               simulation::SharedEffort* effort) {
+  if (problem->indenter) {
+    indenter::HalfSpace half_space(problem);
+    return effort != nullptr ? half_space.within(*effort) : half_space;
+  }
+  simulation::System system = simulation::system_of(problem);
+  if (effort != nullptr) system.effort = effort;
+  return system;
 }
 
 }  // namespace
 
-SteadyFriction::SteadyFriction(const Problem& problem) : motion_(motion_of(problem)) {}
+SteadyFriction::SteadyFriction(const Problem& problem, simulation::SharedEffort* effort)
+    : motion_(motion_of(problem, effort)) {}
 
 simulation::SteadyState SteadyFriction::at(double velocity, simulation::Start start) const {
   if (const auto* half_space = std::get_if<indenter::HalfSpace>(&motion_))

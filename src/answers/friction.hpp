@@ -10,13 +10,16 @@
 #include "problem/problem.hpp"
 #include "simulation/steady/curve.hpp"
 #include "simulation/steady/exact.hpp"
+#include "simulation/system/effort.hpp"
+#include "simulation/system/system.hpp"
 
 namespace vcrit {
 
 class SteadyFriction {
  public:
-  /// Throws InputError for missing values, ModelError where the scene has no motion that is known.
-  explicit SteadyFriction(const Problem& problem);
+  /// Its searches share an effort that outlives it, if there is one. Throws InputError for missing
+  /// values, ModelError where the scene has no motion that is known.
+  explicit SteadyFriction(const Problem& problem, simulation::SharedEffort* effort = nullptr);
 
   /// At one velocity of the drive, m/s, > 0. Below an indenter: of the whole contact, without
   /// events, compared from rest and from sliding. Throws ModelError where no steady state is found.

@@ -9,6 +9,7 @@
 #include "base/constants.hpp"
 #include "base/rounded.hpp"
 #include "critical/admissibility.hpp"
+#include "design/rows_below_indenter.hpp"
 
 namespace vcrit::design {
 
@@ -34,6 +35,17 @@ std::string sought_words(const Failure& f, double value, int digits = few_digits
 
 std::string speed_words(const DesignQuestion& question) {
   return rounded(question.velocity, "m/s");
+}
+
+bool below_indenter(const Failure& f) { return f.question.problem->indenter.has_value(); }
+
+const char* pressed_by(const Failure& f) {
+  return f.question.problem->load ? "load" : "indentation";
+}
+
+// Where v* left no place out.
+bool full_everywhere(const Failure& f) {
+  return finds_each_onset(f.question.problem) && f.least && !(*f.least < 1);
 }
 
 std::string reach_of(const Failure& f) {
@@ -78,6 +90,7 @@ std::string too_fast_for_amplitudes(const Failure& f) {
   if (!all) return text + fmt::format("; amplitudes are admissible below {}", most_words);
   text += fmt::format(" (beyond {} the contact opens)", most_words);
   if (!(limit > 0)) return text + ": this frequency is an antiresonance";
+  if (below_indenter(f)) return text + ". It takes a velocity below that";
   return text + fmt::format(". It takes a velocity below that, or {}",
                             needs_indentation(f.question, f.question.velocity / limit));
 }
@@ -101,7 +114,7 @@ std::string ratio_over_amplitudes(const Failure& f) {
     const double velocity = solve(slower).value;
     text += fmt::format(". At an amplitude of {} it takes a velocity of at most {}", amplitude,
                         rounded_down(velocity, "m/s"));
-    if (f.range.to > 0.9 * most)
+    if (f.range.to > 0.9 * most && !below_indenter(f))
       text += ", or " + needs_indentation(f.question, f.question.velocity / velocity);
   } catch (const ModelError&) {
     text += fmt::format(". At an amplitude of {} no velocity reaches it either", amplitude);
@@ -110,6 +123,12 @@ std::string ratio_over_amplitudes(const Failure& f) {
 }
 
 std::string too_fast_for_frequencies(const Failure& f) {
+  if (finds_each_onset(f.question.problem))
+    return fmt::format(
+        "at {} friction stays full at every searched frequency ({}). It takes a lower velocity, "
+        "or "
+        "a larger amplitude",
+        speed_words(f.question), searched(f));
   const double limit = f.range.largest_velocity;
   const Problem there = with_angular_frequency(f.question.problem, two_pi * f.range.largest_at);
   const double amplitude = *there->amplitude.value * (f.question.velocity - creep_velocity(there)) /
@@ -133,10 +152,14 @@ std::string ratio_over_frequencies(const Failure& f) {
                   f.question.friction_ratio, speed_words(f.question), least_found(f));
   if (!f.least) return text;
   const double omega = two_pi * f.least_at;
-  const double limit = 1 - f.contact.oscillating_part(*f.question.problem->amplitude.value, omega);
-  text += fmt::format(
-      ". Even as the velocity vanishes it tends to {} there, the least normal force over its mean",
-      rounded(limit, ""));
+  if (!below_indenter(f)) {
+    const double limit =
+        1 - f.contact.oscillating_part(*f.question.problem->amplitude.value, omega);
+    text += fmt::format(
+        ". Even as the velocity vanishes it tends to {} there, the least normal force over its "
+        "mean",
+        rounded(limit, ""));
+  }
   try {
     const DesignAnswer answer = solve({with_angular_frequency(f.question.problem, omega),
                                        Sought::amplitude,
@@ -155,6 +178,18 @@ std::string ratio_over_frequencies(const Failure& f) {
 
 // A body that swings by itself can take friction below the static limit; so both are told.
 std::string ratio_over_velocities(const Failure& f) {
+  if (below_indenter(f))
+    return fmt::format(
+        "no velocity reaches a friction ratio of {}: {}. Friction never falls with the speed: it "
+        "takes a larger amplitude, or a smaller {}",
+        f.question.friction_ratio,
+        f.range.at_rest
+            ? fmt::format(
+                  "as the velocity vanishes it tends to {}, the least normal force over its "
+                  "mean",
+                  rounded(*f.range.at_rest, ""))
+            : least_found(f),
+        pressed_by(f));
   const double amplitude = *f.question.problem->amplitude.value;
   const double most = f.contact.largest_amplitude(omega_of(f.question));
   const double limit = std::max(0.0, 1 - amplitude / most);
@@ -162,7 +197,8 @@ std::string ratio_over_velocities(const Failure& f) {
                                  f.question.friction_ratio, least_found(f));
   if (creep_velocity(f.question.problem) > 0) return text;
   text += fmt::format(
-      ". As the velocity vanishes it tends to the static limit {}, the least normal force over its "
+      ". As the velocity vanishes it tends to the static limit {}, the least normal force over "
+      "its "
       "mean",
       rounded(limit, ""));
   if (limit > f.question.friction_ratio) {
@@ -177,6 +213,11 @@ std::string ratio_over_velocities(const Failure& f) {
 
 // v* does not depend on the load, the creep of the path is in proportion to it.
 std::string too_fast_for_forces(const Failure& f) {
+  if (finds_each_onset(f.question.problem))
+    return fmt::format(
+        "at {} friction stays full at every searched load ({}). It takes a lower velocity, or a "
+        "larger amplitude",
+        speed_words(f.question), searched(f));
   const auto [speed, limit] = rounded_apart(f.question.velocity, f.range.largest_velocity, "m/s");
   return fmt::format(
       "at {} friction stays full at every load: at {} it is reduced up to {} only. A larger "
@@ -201,7 +242,8 @@ std::string too_fast_for_velocities(const Failure& f) {
 
 std::string explanation(const Failure& failure) {
   if (failure.reached_at) return uncertain(failure);
-  const bool too_fast = failure.range.rows.empty();
+  const bool too_fast =
+      (failure.range.rows.empty() && !failure.range.at_rest) || full_everywhere(failure);
   switch (failure.question.sought) {
     case Sought::amplitude:
       return too_fast ? too_fast_for_amplitudes(failure) : ratio_over_amplitudes(failure);

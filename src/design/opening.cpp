@@ -7,9 +7,12 @@
 #include <cstdint>
 
 #include "answers/critical_onset.hpp"
+#include "answers/effect.hpp"
 #include "base/constants.hpp"
 #include "normal/mean_indentation.hpp"
 #include "normal/mount.hpp"
+#include "normal/pressed_cells.hpp"
+#include "problem/variants.hpp"
 #include "rules/rulebook.hpp"
 
 namespace vcrit::design {
@@ -47,6 +50,10 @@ NormalContact::NormalContact(const Problem& problem) : problem_(complete(problem
 }
 
 double NormalContact::largest_amplitude(double omega) const {
+  if (pressed_tip()) {
+    const auto most = largest_closed_amplitude(with_angular_frequency(problem_, omega));
+    return most.value_or(0);
+  }
   return mean_force_ /
          (std::abs(dynamic_stiffness(normal_, omega)) * mount_factor(problem_, omega));
 }
@@ -60,6 +67,7 @@ bool NormalContact::closes_up_to_a_frequency() const {
 
 std::optional<double> NormalContact::largest_angular_frequency(double amplitude) const {
   rules::require(rules::Question::closed_range, with_amplitude(problem_, amplitude));
+  if (pressed_tip()) return largest_of_pressed_tip(amplitude);
   // Below the amplitude, the indentation may round to it.
   const double allowed =
       std::max(mean_force_ / amplitude, std::nextafter(normal_.equilibrium, infinity));
@@ -77,7 +85,38 @@ std::optional<double> NormalContact::largest_angular_frequency(double amplitude)
                       .first);
 }
 
+bool NormalContact::pressed_tip() const { return problem_->load && problem_->indenter; }
+
+// The depth under the load depends on the frequency, too, as the rim opens. |E| never falls.
+std::optional<double> NormalContact::largest_of_pressed_tip(double amplitude) const {
+  if (at_infinity(normal_) <= normal_.equilibrium) return std::nullopt;
+  const Problem problem = with_amplitude(problem_, amplitude);
+  const auto above = [&](double logarithm) {
+    const rules::Facts facts(with_angular_frequency(problem, std::exp(logarithm)));
+    return static_cast<double>(facts.oscillating_force() / facts.mean_force()) - 1;
+  };
+  constexpr double decades = 12 * 2.3;  // to either side, as far as branches are worth a thought
+  const double here = std::log(problem.value(problem->angular_frequency));
+  double low = here, high = here;
+  for (double step = 1; above(low) >= 0; step *= 2)
+    if ((low -= step) < here - decades)
+      throw ModelError("the contact opens at its centre at all frequencies");
+  for (double step = 1; above(high) <= 0; step *= 2)
+    if ((high += step) > here + decades) return std::nullopt;
+  constexpr int bits = 40;  // a depth is known to some 33
+  std::uintmax_t steps = 100;
+  return std::exp(boost::math::tools::toms748_solve(
+                      above, low, high, boost::math::tools::eps_tolerance<double>(bits), steps)
+                      .first);
+}
+
 double NormalContact::least_force(double amplitude, double omega) const {
+  if (pressed_tip()) {
+    const double depth =
+        amplitude * std::abs(dynamic_stiffness(normal_, omega)) / normal_.equilibrium;
+    const Problem there = with_angular_frequency(with_amplitude(problem_, amplitude), omega);
+    return simulation::mean_force_of_cells(at_depth(there, depth));
+  }
   return amplitude * std::abs(dynamic_stiffness(normal_, omega)) * mount_factor(problem_, omega);
 }
 

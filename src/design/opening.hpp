@@ -1,6 +1,7 @@
 // How far a scene may oscillate before its contact opens, as bounds on amplitude and frequency:
 // (3), (4) and (35) of the paper solved for them. |K_n| never falls with the frequency, so both are
-// single bounds, but below a mount: there the amplitude at the contact depends on the frequency.
+// single bounds, but below a mount: there the amplitude at the contact depends on the frequency. Of
+// an indenter, whose rim may open, they are those of its centre.
 #pragma once
 
 #include <optional>
@@ -29,6 +30,10 @@ class NormalContact {
   double oscillating_part(double amplitude, double omega) const;
 
  private:
+  /// An indenter under a load, whose depth has to be found.
+  bool pressed_tip() const;
+  std::optional<double> largest_of_pressed_tip(double amplitude) const;
+
   Problem problem_;  // with any value of amplitude and frequency where it has none
   Relaxation normal_;
   double mean_force_ = 0;  // N

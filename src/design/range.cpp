@@ -9,6 +9,8 @@
 #include "base/constants.hpp"
 #include "base/rounded.hpp"
 #include "critical/admissibility.hpp"
+#include "design/places.hpp"
+#include "design/rows_below_indenter.hpp"
 #include "normal/mount.hpp"
 #include "problem/variants.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
@@ -17,13 +19,6 @@ namespace vcrit::design {
 
 namespace {
 
-// The bounds themselves are not admissible: there the normal force touches zero.
-constexpr double inside_the_bound = 0.999999;
-
-// Amplitudes below this part of the largest are not asked for, nor are speeds below this part of
-// what the contact's velocity oscillates by: friction is within its square root of the static limit
-// there.
-constexpr double slowest = 1e-9;
 // Down to the largest speed over this they are tried evenly, below by even ratios.
 constexpr double even_down_to = 20;
 
@@ -35,27 +30,11 @@ void refuse_empty(const DesignQuestion& question, double from, double to) {
                    "a finite upper end above the lower end");
 }
 
-// Evenly from a to b, both included.
-std::vector<double> even(double a, double b, int samples) {
-  std::vector<double> places;
-  for (int i = 0; i < samples; ++i)
-    places.push_back(i + 1 == samples ? b : a + (b - a) * i / (samples - 1));
-  return places;
-}
-
-std::vector<double> even_ratios(double a, double b, int samples) {
-  std::vector<double> places = even(std::log(a), std::log(b), samples);
-  for (double& place : places) place = std::clamp(std::exp(place), std::min(a, b), std::max(a, b));
-  places.front() = a, places.back() = b;
-  return places;
-}
-
 // v* grows in proportion to the amplitude, the creep does not: below some amplitude friction is
 // full.
 SearchRange amplitudes(const DesignQuestion& question, const NormalContact& contact) {
   const Problem problem = with_amplitude(question.problem, 1);
-  const Problem closed = staying_closed(problem);  // as it is at all amplitudes of the range
-  const double omega = problem.values().at(problem->angular_frequency.symbol);
+  const double omega = problem.value(problem->angular_frequency);
   const double most = contact.largest_amplitude(omega);
   SearchRange range{question.from.value_or(0),
                     std::min(question.to.value_or(most), inside_the_bound * most),
@@ -65,13 +44,18 @@ SearchRange amplitudes(const DesignQuestion& question, const NormalContact& cont
   refuse_empty(question, range.from, range.to);
   range.largest_velocity = reduced_up_to(with_amplitude(problem, range.to));
   range.largest_at = range.to;
+  if (finds_each_onset(problem)) {
+    add_amplitude_rows(question, range);
+    return range;
+  }
+  const Problem closed = staying_closed(problem);  // as it is at all amplitudes of the range
   const double first = std::max(
       range.from, (question.velocity - creep_velocity(problem)) / quick_onset(closed, omega));
   if (!(question.velocity < range.largest_velocity) || !(first < range.to)) return range;
   if (first > 0)
-    range.rows.push_back(even(first, range.to, question.samples));
+    range.rows.push_back(even(first, range.to, samples_of(question)));
   else
-    range.rows.push_back(even_ratios(slowest * range.to, range.to, question.samples));
+    range.rows.push_back(even_ratios(slowest * range.to, range.to, samples_of(question)));
   return range;
 }
 
@@ -96,6 +80,10 @@ SearchRange frequencies(const DesignQuestion& question, const NormalContact& con
                     rounded(*most / two_pi, "Hz"), rounded(range.from, "Hz")));
   if (most) range.to = std::min(range.to, inside_the_bound * *most / two_pi);
   refuse_empty(question, range.from, range.to);
+  if (finds_each_onset(question.problem)) {
+    add_frequency_rows(question, range);
+    return range;
+  }
   OpeningShare share;
   if (!bounded)
     share = [&contact, amplitude](double at) {
@@ -113,7 +101,7 @@ SearchRange frequencies(const DesignQuestion& question, const NormalContact& con
   for (const FrequencyRange& part : found.parts) {
     if (!(part.from < part.to)) continue;
     const double width = std::log(part.to / part.from) / std::log(range.to / range.from);
-    const int samples = std::max(32, static_cast<int>(std::ceil(width * question.samples)));
+    const int samples = std::max(32, static_cast<int>(std::ceil(width * samples_of(question))));
     // 2 pi f / 2 pi is not f to the last bit either.
     const auto in_hertz = [](double at, double end) {
       return at == two_pi * end ? end : at / two_pi;
@@ -158,6 +146,11 @@ std::vector<double> falling_speeds(double to, double end, int samples) {
 // least/(1 - ratio) does not reach it but for a body that rings, for which there is some room.
 constexpr double room_for_ringing = 2;
 
+double most_force(const DesignQuestion& question, double least) {
+  if (question.problem->indenter) return largest_force(question, least);
+  return room_for_ringing * least / (1 - question.friction_ratio);
+}
+
 // Downwards, as friction rises with the load.
 SearchRange forces(const DesignQuestion& question, const NormalContact& contact) {
   const Problem problem = with_load(question.problem, 1);
@@ -165,15 +158,15 @@ SearchRange forces(const DesignQuestion& question, const NormalContact& contact)
   const double least = contact.least_force(values.at(question.problem->amplitude.symbol),
                                            values.at(question.problem->angular_frequency.symbol));
   SearchRange range{std::max(question.from.value_or(0), least / inside_the_bound),
-                    question.to.value_or(room_for_ringing * least / (1 - question.friction_ratio)),
+                    question.to ? *question.to : most_force(question, least),
                     {},
                     0,
                     0};
   refuse_empty(question, range.from, range.to);
   range.largest_velocity = reduced_up_to(with_load(question.problem, range.to));
   range.largest_at = range.to;
-  if (question.velocity < range.largest_velocity)
-    range.rows.push_back(even_ratios(range.to, range.from, question.samples));
+  if (question.velocity < range.largest_velocity || finds_each_onset(question.problem))
+    range.rows.push_back(even_ratios(range.to, range.from, samples_of(question)));
   return range;
 }
 
@@ -192,8 +185,13 @@ SearchRange velocities(const DesignQuestion& question) {
   range.largest_velocity = range.largest_at = limit;
   if (range.from < limit) refuse_empty(question, range.from, range.to);
   if (!(range.from < range.to)) return range;
+  if (question.problem->indenter) {
+    range.from = std::max(range.from, slowest * range.to);
+    add_velocity_rows(question, range);
+    return range;
+  }
   range.from = std::max(range.from, slowest * std::min(range.to, usual_speed(question.problem)));
-  range.rows.push_back(falling_speeds(range.to, range.from, question.samples));
+  range.rows.push_back(falling_speeds(range.to, range.from, samples_of(question)));
   return range;
 }
 

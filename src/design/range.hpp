@@ -1,6 +1,7 @@
 // What of an amplitude, a frequency or a speed is worth asking for, and in which order.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "design/opening.hpp"
@@ -17,6 +18,9 @@ struct SearchRange {
   /// The largest drive velocity with an effect in the range (m/s) and where. For a speed, the end
   /// of the range itself.
   double largest_velocity = 0, largest_at = 0;
+  bool monotonic = false;  ///< friction never falls from the last place of a row to the first
+  /// The ratio as the speed vanishes, where it is asked for and known: none falls below it.
+  std::optional<double> at_rest{};
 };
 
 /// Throws InputError for an empty range, ModelError where nothing in it is admissible.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "answers/critical_onset.hpp"
+#include "answers/friction.hpp"
 #include "base/constants.hpp"
 #include "base/rounded.hpp"
 #include "critical/admissibility.hpp"
@@ -14,7 +15,6 @@
 #include "design/opening.hpp"
 #include "design/range.hpp"
 #include "rules/rulebook.hpp"
-#include "simulation/steady/exact.hpp"
 
 namespace vcrit::design {
 
@@ -57,8 +57,9 @@ class Solving {
       if (end && !(*end > 0))
         throw InputError(argument(name), fmt::format("{} {}", *end, unit_of(question.sought)),
                          "a number above 0");
-    if (question.samples < 3 || question.samples > most_samples)
-      throw InputError(argument("samples"), fmt::format("{}", question.samples),
+    const int samples = samples_of(question);
+    if (samples < 3 || samples > most_samples)
+      throw InputError(argument("samples"), fmt::format("{}", samples),
                        fmt::format("a number from 3 to {}", most_samples));
     problem_of(question, 1).values();  // what is sought needs no value
     return question;
@@ -67,19 +68,24 @@ class Solving {
   // A drive that is not simulated is named before anything is searched.
   SearchRange range() const {
     if (question_.sought == Sought::velocity) {
-      simulation::system_of(question_.problem);
+      SteadyFriction{question_.problem};
     } else if (question_.sought == Sought::force) {
       const Problem there = with_load(question_.problem, 1);
       const double least = contact_.least_force(there.value(there->amplitude),
                                                 there.value(there->angular_frequency));
-      simulation::system_of(with_load(there, 1 + 2 * least));
+      SteadyFriction{with_load(there, there->indenter ? 2 * least : 1 + 2 * least)};
     } else {
       const double omega = question_.problem->angular_frequency.value.value_or(1);
       const Problem there = with_angular_frequency(question_.problem, omega);
       rules::require(rules::Question::closed_amplitude, with_amplitude(there, 0));
-      simulation::system_of(with_amplitude(there, contact_.largest_amplitude(omega) / 2));
+      SteadyFriction{with_amplitude(there, contact_.largest_amplitude(omega) / 2)};
     }
     return range_of(question_, contact_);
+  }
+
+  static std::size_t effort_of(const DesignQuestion& question) {
+    return question.effort.value_or(question.problem->indenter ? simulation::effort_of_cells
+                                                               : simulation::effort_of_answer);
   }
 
   /// With a value of what is sought, as it is searched for.
@@ -104,9 +110,7 @@ class Solving {
   }
 
   simulation::SteadyState state_at(double value) const {
-    simulation::System system = simulation::system_of(problem_at(value));
-    system.effort = &effort_;
-    return simulation::steady_state(system, velocity_at(value));
+    return SteadyFriction(problem_at(value), &effort_).at(velocity_at(value));
   }
 
   std::optional<double> ratio(double value) const {
@@ -135,6 +139,13 @@ class Solving {
     return width + std::abs(step) * state.friction_ratio_error / rise;
   }
 
+  int samples() const {
+    if (!question_.problem->indenter) return samples_of(question_);
+    std::size_t all = 0;
+    for (const std::vector<double>& row : range_.rows) all += row.size();
+    return static_cast<int>(all);
+  }
+
   DesignAnswer answer(const Reach& reach, double row_start) const {
     const Problem problem = problem_at(reach.at);
     DesignAnswer result;
@@ -153,6 +164,8 @@ class Solving {
         result.largest_frequency = *most / two_pi;
     result.from = range_.from;
     result.to = range_.to;
+    result.samples = samples();
+    result.monotonic = range_.monotonic;
     result.evaluations = evaluations_;
     result.unanswered = unanswered_;
     return result;
@@ -165,7 +178,7 @@ class Solving {
   double least_at_ = 0;
   int evaluations_ = 0, unanswered_ = 0;
   mutable std::string first_reason_;
-  mutable simulation::SharedEffort effort_{question_.effort};
+  mutable simulation::SharedEffort effort_{effort_of(question_)};
 };
 
 }  // namespace
@@ -210,6 +223,11 @@ Dimension dimension_of(Sought sought) {
       return Dimension::velocity;
   }
   throw Bug("something sought without a dimension");
+}
+
+int samples_of(const DesignQuestion& question) {
+  return question.samples.value_or(question.problem->indenter ? usual_samples_below_indenter
+                                                              : usual_samples);
 }
 
 bool is_largest(Sought sought) { return sought == Sought::force || sought == Sought::velocity; }

@@ -28,7 +28,8 @@ inline constexpr std::array all_sought{Sought::amplitude, Sought::frequency, Sou
                                        Sought::velocity};
 
 /// What is narrower than a part in 400 of the range is missed; a simulation takes some 0.1 ms.
-inline constexpr int usual_samples = 400;
+/// Below an indenter, where one takes some 10 ms to a second, a part in 32.
+inline constexpr int usual_samples = 400, usual_samples_below_indenter = 32;
 /// Some seconds, of which what a sample costs besides the work that is counted takes the most.
 inline constexpr int most_samples = 100'000;
 
@@ -39,9 +40,12 @@ struct DesignQuestion {
   double velocity = 0;             ///< of the drive, m/s; not for Sought::velocity
   std::optional<double> from, to;  ///< the range to search, in unit_of(sought); none: all that is
                                    ///< admissible, for frequencies two decades to each side
-  int samples = usual_samples;     ///< of the range, 3 to most_samples
-  std::size_t effort = simulation::effort_of_answer;  ///< of all steady states together
+  std::optional<int> samples{};    ///< of the range, 3 to most_samples; none: the usual ones
+  /// Of all steady states together; none: effort_of_answer, below an indenter effort_of_cells.
+  std::optional<std::size_t> effort{};
 };
+
+int samples_of(const DesignQuestion& question);
 
 struct DesignAnswer {
   double value = 0;  ///< in unit_of(sought): reaches the wanted ratio
@@ -54,8 +58,11 @@ struct DesignAnswer {
   double largest_amplitude = 0;             ///< m, at this frequency
   std::optional<double> largest_frequency;  ///< Hz, at this amplitude; nothing without a bound
   double from = 0, to = 0;                  ///< what was searched, in unit_of(sought)
-  int evaluations = 0;                      ///< steady states that were asked for
-  int unanswered = 0;                       ///< of them, without an answer
+  int samples = 0;                          ///< as asked for; below an indenter, of all the range
+  /// Whether friction never falls along the range, so that nothing between its samples is missed.
+  bool monotonic = false;
+  int evaluations = 0;  ///< steady states that were asked for
+  int unanswered = 0;   ///< of them, without an answer
 };
 
 /// Throws InputError for a wrong question, ModelError outside the model and where nothing in the

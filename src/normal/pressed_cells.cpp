@@ -76,7 +76,13 @@ class Cells {
       const PressedForce cell = cell_under(mean - gap_.at(x));
       return {weight * cell.force, weight * cell.slope * depth};
     };
-    return Kronrod21::integrate(at, 0.0, 1.0, most_halvings, tolerance);
+    return Kronrod21::integrate(at, 0.0, 1.0, most_halvings, std::max(tolerance, rounding(mean)));
+  }
+
+  /// Of what a cell that opens carries, since its depth is a small difference of larger ones. All
+  /// these cells carry little together, and the less the larger it is.
+  double rounding(double mean) const {
+    return amplitude_ > 0 ? 16 * epsilon * (mean + amplitude_) / amplitude_ : 0;
   }
 
   /// Per length.

@@ -55,7 +55,8 @@ class Indenters(Case):
         self.assertEqual(motion["regime"], "stick-slip-apart")
         self.assertEqual(motion["indenter"]["cells"][0]["regime"], "stick-slip-apart")
         self.refused(3, ["simulate", separating, "--velocity", 0.1, "--method", "moreau"])
-        self.refused(3, ["solve", separating, "--for", "amplitude", "--friction-ratio", 0.5, "--velocity", 0.1])
+        self.refused(3, ["solve", separating, "--for", "amplitude", "--friction-ratio", 0.5, "--velocity", 0.1],
+                     "friction stays full at every admissible amplitude")
 
     # All cells move one body; v* by 20 digits of a maximum over the phase (tests/matrix/reference_held.py).
     def test_a_leaf_spring(self):
@@ -71,6 +72,24 @@ class Indenters(Case):
         self.assertLess(motion["cells_error"], 1e-10)
         for command in (["derive"], ["generate", "--out", self.folder], ["critical"]):
             self.refused(3, [command[0], scene, *command[1:]])
+
+    # What is answered goes back into simulate, to the bit. At 0.3 v* of its amplitude friction is 0.87806 (above).
+    def test_solve_on_a_leaf_spring(self):
+        scene = self.scene({"E": "2 GPa", "kd": "400 N/mm"}, normal="spring(E)", shape="parabola", radius="5 mm",
+                           poisson=0.4, network="kd", angular_frequency=1e5, amplitude="0.2 um", indentation="1 um",
+                           coefficient=0.3)
+        velocity, ratio = 0.3 * 0.013060480672226070, 0.87806
+        speed = self.answer("solve", scene, "--for", "velocity", "--friction-ratio", ratio)
+        self.assertAlmostEqual(speed["value"] / velocity, 1, delta=1e-4)  # 2e-6 of the ratio, over a slope of 30 s/m
+        again = self.answer("simulate", scene, "--velocity", repr(speed["value"]))
+        self.assertEqual(again["friction_ratio"], speed["friction_ratio"])
+        self.assertEqual(again["regime"], speed["regime"])
+        amplitude = self.answer("solve", scene, "--for", "amplitude", "--friction-ratio", ratio, "--velocity", velocity)
+        self.assertAlmostEqual(amplitude["value"] / 0.2e-6, 1, delta=1e-4)
+        self.assertEqual(amplitude["searched"]["samples"], 32)
+        told = self.run_program("solve", scene, "--for", "velocity", "--friction-ratio", ratio).stdout
+        self.assertIn("below an indenter friction never falls with the speed", told)
+        self.assertIn("at its centre below an amplitude of", told)
 
     def test_a_map(self):
         rows = self.table(self.indenter(), "--over", "amplitude=lin:0.1e-6:0.9e-6:3", "--over",

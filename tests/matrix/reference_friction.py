@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 
 import mpmath as mp
-from reference_indenter import cells
+from reference_indenter import cell_rows
 from reference_kinds import found_depth, height, is_found, moving, wired
 from reference_motion import STEPS, Contact, Mean, extrapolated, normal_forces, steady
 from reference_networks import creep_viscosity, stiffness
@@ -148,7 +148,7 @@ def simulated_sensitivities(name, values, means, opening, at):
 
 def friction_rows(name, values, text, linear):
     if "indenter" in text:
-        yield from cells(name, values, text, linear)
+        yield from cell_rows(name, values, text, linear)
         return
     if name in ("separating_mount", "separating_with_mass"):
         return

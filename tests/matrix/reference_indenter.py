@@ -3,10 +3,12 @@
 import csv
 from math import asin, gamma, pi, sqrt, tan
 
+import mpmath as mp
 import numpy as np
 
-from reference_kinds import FOLDER, wired
+from reference_kinds import FOLDER, found_depth, wired
 from reference_motion import extrapolated
+from reference_networks import stiffness
 
 # Panels end where cells begin to part and where the rim is; the rule on each has so many points, and again half of them.
 POINTS = 24
@@ -48,46 +50,86 @@ def edge(g, depth, largest):
     return low
 
 
-def cells(name, values, text, linear):
-    from reference_friction import RATIOS, Motions, simulated_onset
-    indenter = text["indenter"]
-    g = profile(indenter)
-    system = wired(name, values)
-    depth, amplitude = float(values["u_z0"]), float(values["du_z"])
-    largest = indenter.get("radius", 1e-3) if indenter["shape"] == "flat" else 1e-4 if "csv" in indenter["shape"] else 0.1
-    # Cells farther out than the rim at its largest never touch.
-    rim = edge(g, depth + amplitude, largest)
-    dynamic = float(abs(linear["normal_stiffness:storage"] + 1j * linear["normal_stiffness:loss"]))
-    ratio_at_rest = dynamic / float(linear["normal_stiffness_at_rest"])
-    breaks = [0.0]
-    for level in (depth - amplitude * ratio_at_rest, depth, depth + 0.5 * amplitude):
-        place = edge(g, level, largest) if level > 0 else 0.0
-        if breaks[-1] < place < rim * (1 - 1e-9):
-            breaks.append(place)
-    breaks.append(rim)
-    speed = float(linear["formula"])
+class Cells:
+    """Of equal kind, under the scene's indenter: Gauss's rule over their friction."""
+
+    def __init__(self, name, values, text):
+        indenter = text["indenter"]
+        self.g = profile(indenter)
+        self.system, self.values = wired(name, values), values
+        self.depth, amplitude = float(values["u_z0"]), float(values["du_z"])
+        largest = indenter.get("radius", 1e-3) if indenter["shape"] == "flat" else 1e-4 if "csv" in indenter["shape"] else 0.1
+        # Cells farther out than the rim at its largest never touch.
+        rim = edge(self.g, self.depth + amplitude, largest)
+        at_rest, dynamic = (float(abs(stiffness(self.system.normal, s))) for s in (mp.mpf(10) ** -60, 1j * values["omega"]))
+        self.breaks = [0.0]
+        for level in (self.depth - amplitude * dynamic / at_rest, self.depth, self.depth + 0.5 * amplitude):
+            place = edge(self.g, level, largest) if level > 0 else 0.0
+            if self.breaks[-1] < place < rim * (1 - 1e-9):
+                self.breaks.append(place)
+        self.breaks.append(rim)
+
+    def friction(self, velocities):
+        """Ratios and mean normal forces at these speeds, with their errors."""
+        from reference_friction import Motions
+        results = []
+        for points in (POINTS // 2, POINTS):
+            x, weights = grid(self.breaks, points)
+            means = self.depth - self.g(x)
+            self.motions = Motions(self.system, self.values, np.tile(means, len(velocities)), True, np.repeat(velocities, len(x)))
+            sums = []
+            for mean in self.motions.means:
+                force = (mean.force / mean.steps).reshape(len(velocities), -1) @ weights
+                bound = (mean.bound / mean.steps).reshape(len(velocities), -1) @ weights
+                sums.append([force / bound, 2 * bound / float(self.values["mu0"]) / (1 - NU**2)])
+            results.append(extrapolated(sums, True))
+        (coarse, _), (best, error) = results
+        self.count = len(x)
+        return best, error + np.abs(best - coarse)
+
+    def onset(self):
+        from reference_friction import simulated_onset
+        return simulated_onset(self.system, self.values, self.depth - self.g(grid(self.breaks, 6)[0]), True)
+
+
+def cell_rows(name, values, text, linear):
+    from reference_friction import RATIOS
+    cells, speed = Cells(name, values, text), float(linear["formula"])
     velocities = [r * speed for r in RATIOS]
-    results = []
-    for points in (POINTS // 2, POINTS):
-        x, weights = grid(breaks, points)
-        means = depth - g(x)
-        motions = Motions(system, values, np.tile(means, len(RATIOS)), True, np.repeat(velocities, len(x)))
-        sums = []
-        for mean in motions.means:
-            force = (mean.force / mean.steps).reshape(len(RATIOS), -1) @ weights
-            bound = (mean.bound / mean.steps).reshape(len(RATIOS), -1) @ weights
-            sums.append([force / bound, 2 * bound / float(values["mu0"]) / (1 - NU**2)])
-        results.append(extrapolated(sums, True))
-    (coarse, _), (best, error) = results
-    error = error + np.abs(best - coarse)
-    onset, onset_error = simulated_onset(system, values, depth - g(grid(breaks, 6)[0]), True)
+    best, error = cells.friction(velocities)
+    onset, onset_error = cells.onset()
     fastest = int(np.argmax(onset[0]))
     yield "critical_velocity", onset[0][fastest], onset_error[0][fastest]
     for i, velocity in enumerate(velocities):
         yield f"velocity:{i}", velocity, 0
         yield f"friction_ratio:{i}", best[0][i], error[0][i]
         yield f"mean_normal_force:{i}", best[1][i], error[1][i]
-        yield f"regime:{i}", motions.regime(*range(i * len(x), (i + 1) * len(x))), 0
+        yield f"regime:{i}", cells.motions.regime(*range(i * cells.count, (i + 1) * cells.count)), 0
+
+    def ratio(changed, velocity):
+        if "W" in changed:
+            changed = changed | found_depth(name, changed)
+        found, off = Cells(name, changed, text).friction([velocity])
+        return found[0][0], off[0][0]
+    if not linear["closed"]:
+        closed = linear["admissible_amplitude"] * mp.mpf("0.6")
+        speed *= float(closed / values["du_z"])
+        values = values | {"du_z": closed}
+    yield from design_rows(values, speed / 2, *ratio(values, speed / 2), ratio)
+
+
+def design_rows(values, velocity, wanted, error, ratio):
+    """The friction ratio at a speed, and how it changes with each unknown; ratio(values, velocity), with its error."""
+    yield "design:velocity", velocity, 0
+    yield "design:amplitude", float(values["du_z"]), 0
+    yield "design:omega", float(values["omega"]), 0
+    yield "design:friction_ratio", wanted, error
+    unknowns = [("velocity", None), ("amplitude", "du_z"), ("frequency", "omega")] + ([("force", "W")] if "W" in values else [])
+    for unknown, key in unknowns:
+        (high, more), (low, less) = (ratio(values, velocity * factor) if key is None
+                                     else ratio(values | {key: values[key] * mp.mpf(factor)}, velocity) for factor in (1.02, 0.98))
+        width = 0.04 * float(velocity if key is None else values[key])
+        yield f"design:slope:{unknown}", (high - low) / width, (more + less) / width
 
 
 def grid(breaks, points):
