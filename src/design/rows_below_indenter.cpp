@@ -44,7 +44,7 @@ void add_frequency_rows(const DesignQuestion& question, SearchRange& range) {
 }
 
 // Friction never falls with the speed: decades down to where it is low enough, and one search
-// between two of them. On a drive that gives slow states take long.
+// between two of them. On a compliant drive slow states take long.
 void add_velocity_rows(const DesignQuestion& question, SearchRange& range) {
   range.monotonic = true;
   const indenter::HalfSpace half_space(question.problem);

@@ -1,5 +1,5 @@
 // Where the friction below an indenter is asked for. A state takes long there, so that there are
-// few. On a drive that gives, v* takes as long as a state, so that no place is left out for it.
+// few. On a compliant drive, v* takes as long as a state, so that no place is left out for it.
 #pragma once
 
 #include "design/range.hpp"

@@ -37,10 +37,10 @@ std::size_t terms(const ex& polynomial) {
 /// sum of exponent x f'/f over the powers that depend on x, over one denominator.
 class LogarithmicSum {
  public:
-  explicit LogarithmicSum(ex x) : x_(std::move(x)) {}
+  LogarithmicSum(ex x, const std::vector<Line>& letters) : x_(std::move(x)), letters_(letters) {}
 
   void add(const Power& power) {
-    const ex slope = (x_ * power.base.diff(GiNaC::ex_to<GiNaC::symbol>(x_))).expand();
+    const ex slope = (x_ * slope_of(power.base)).expand();
     if (slope.is_zero()) return;
     if (power.base.is_equal(x_)) {
       numerator_ += power.exponent * product_;
@@ -80,8 +80,17 @@ class LogarithmicSum {
   }
 
  private:
+  ex slope_of(const ex& base) const {
+    const auto& x = GiNaC::ex_to<GiNaC::symbol>(x_);
+    ex slope = base.diff(x);
+    for (const Line& letter : letters_)
+      slope += base.diff(GiNaC::ex_to<GiNaC::symbol>(letter.left)) * letter.right.diff(x);
+    return slope;
+  }
+
   ex x_, numerator_ = 0, product_ = 1;
   std::vector<ex> bases_;
+  const std::vector<Line>& letters_;
 };
 
 // Longer ones are not worth the time, as nobody reads them.
@@ -91,14 +100,15 @@ constexpr std::size_t readable_derivative_text = 600;
 
 }  // namespace
 
-std::optional<ex> logarithmic_derivative(const ex& f, const ex& x) {
+std::optional<ex> logarithmic_derivative(const ex& f, const ex& x,
+                                         const std::vector<Line>& letters) {
   std::vector<Power> powers;
   flatten(f, 1, powers);
-  LogarithmicSum whole(x);
+  LogarithmicSum whole(x, letters);
   ex sum = 0;
   for (const Power& power : powers) {
     whole.add(power);
-    LogarithmicSum alone(x);
+    LogarithmicSum alone(x, letters);
     alone.add(power);
     if (terms(alone.numerator()) > readable_derivative_terms) return std::nullopt;
     sum += alone.value();

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "analysis/abbreviated.hpp"
+#include "analysis/by_frequency.hpp"
 #include "derivation/factors.hpp"
 #include "derivation/model.hpp"
 #include "formula/algebra_lock.hpp"
@@ -55,6 +56,12 @@ ex root_of(const ex& stiffness, const ex& m) {
   return GiNaC::sqrt(square.integer_content().is_equal(1) ? square : square.expand());
 }
 
+/// Where springs balance the inertia.
+ex frequency_of(const MassBalance& balance, const Model& model) {
+  const std::optional<GiNaC::exmap> known = model.multiplied_out(balance.whole);
+  return root_of(known ? balance.stiffness.subs(*known) : balance.stiffness, balance.mass);
+}
+
 /// What the elements in the stiffness have.
 std::set<NumberRole> roles(const MassBalance& balance, const Model& model) {
   std::set<NumberRole> found;
@@ -65,12 +72,12 @@ std::set<NumberRole> roles(const MassBalance& balance, const Model& model) {
   return found;
 }
 
-/// Without their numbers.
+/// Without their numbers, by powers of omega.
 Resonance::Parts without_numbers(const Resonance::Parts& parts) {
   const auto divided = [](const ex& part) {
     return part.is_zero() ? part : (part / part.integer_content()).expand();
   };
-  return {divided(parts.real), divided(parts.imaginary)};
+  return {by_frequency(divided(parts.real)), by_frequency(divided(parts.imaginary))};
 }
 
 /// The factor of the amplitude that the condition comes from: of the same mass and stiffnesses, and
@@ -96,8 +103,11 @@ void abbreviate(Resonance& resonance, const ex& factor, const ex& m, const Model
     Change change;
     change.ratio = 1 / g;
     const auto other = factor_in(change, factor, resonance.kind, m, model);
-    if (other && other->has(g))
+    if (other && other->has(g)) {
       resonance.condition = other->subs(laplace() == GiNaC::I * omega()).expand().collect(g);
+      if (resonance.frequency)
+        resonance.frequency = frequency_of(per_mass(*other, m, model), model);
+    }
   }
   if (!resonance.parts) return;
   resonance.parts = shortest_in(
@@ -124,8 +134,7 @@ Resonance resonance(const ex& factor, Resonance::Kind kind, const ex& m, const M
   found.absorbing = inside.contains(NumberRole::mass);
   const std::optional<GiNaC::exmap> known = model.multiplied_out(factor);
   if (!known) found.definitions = used_in(factor, model.nested_formula().definitions);
-  if (inside == std::set{NumberRole::stiffness})
-    found.frequency = root_of(known ? balance.stiffness.subs(*known) : balance.stiffness, m);
+  if (inside == std::set{NumberRole::stiffness}) found.frequency = frequency_of(balance, model);
   if (found.damped && known) {
     const Resonance::Parts parts = real_and_imaginary(balance.whole.subs(*known));
     if (is_readable_part(parts.real) && is_readable_part(parts.imaginary)) found.parts = parts;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "analysis/abbreviated.hpp"
+#include "analysis/by_frequency.hpp"
 #include "analysis/logarithmic.hpp"
 #include "base/interruption.hpp"
 #include "derivation/factors.hpp"
@@ -28,9 +30,22 @@ bool is_poisson(const Problem& problem, const Symbol& parameter) {
          isotropic->quantity.symbol == parameter;
 }
 
-ex variable(const Problem& problem, const Symbol& parameter) {
-  return is_poisson(problem, parameter) ? poisson_ratio(parameter) : symbol(parameter);
+/// What v* is differentiated by, (x/v*) dv*/dx, times what makes it the parameter's.
+struct Variable {
+  ex x, factor = 1;
+};
+
+/// g depends on nu, and v* on nu through g alone: S_nu = (nu/g) dg/dnu S_g.
+Variable variable(const Problem& problem, const Symbol& parameter,
+                  const std::optional<Line>& ratio) {
+  if (!is_poisson(problem, parameter)) return {symbol(parameter)};
+  const ex nu = poisson_ratio(parameter);
+  if (!ratio) return {nu};
+  return {ratio->left, logarithmic_derivative(ratio->right, nu).value()};
 }
+
+/// A factor of the amplitude as people write it: K_n + g (K_d - m omega^2).
+ex by_ratio(const ex& factor) { return factor.expand().collect(positive_quantity("g")); }
 
 /// A product of powers of polynomials. GiNaC's has factors that depend on its order of symbols, so
 /// those of one exponent are multiplied out.
@@ -66,18 +81,18 @@ ex shorter_of(const ex& expression) {
 /// S_p = Re(p dB/dp/B), and one more for the omega in v* = omega |B|.
 class Chain {
  public:
-  explicit Chain(const Model& model) : stiffnesses_(model.nested_formula().definitions) {
-    amplitude_ = model.factors({});
+  Chain(const Model& model, const Change& change)
+      : stiffnesses_(model.nested_formula().definitions), amplitude_(model.factors(change)) {
     for (const Line& line : stiffnesses_) symbols_.push_back(free_symbols(line.right));
   }
 
   /// Relative sensitivity and its definitions.
-  Sensitivity along(const Symbol& parameter, const ex& variable) {
-    const bool is_frequency = variable.is_equal(omega());
-    const Changes changes(is_frequency ? laplace() : variable, *this);
+  Sensitivity along(const Symbol& parameter, const ex& x) {
+    const bool is_frequency = x.is_equal(omega());
+    const Changes changes(is_frequency ? laplace() : x, *this);
     ex sum = 0;
     for (const auto& [factor, exponent] : amplitude_.parts())
-      sum += exponent * factored_polynomial(changes.of(factor)) / factor;
+      sum += exponent * factored_polynomial(changes.of(factor)) / by_ratio(factor);
     const ex relative = real_part_of(sum.subs(laplace() == GiNaC::I * omega()));
     GiNaC::lst formulas{sum};
     for (const Line& line : changes.lines) formulas.append(line.right);
@@ -164,9 +179,10 @@ class Chain {
 /// from one pass, p dB/dp/B = p sum_j G_j dK_j/dp.
 class Backwards {
  public:
-  explicit Backwards(const Model& model) {
-    const Factors amplitude = model.factors({});
-    for (const auto& [factor, exponent] : amplitude.parts()) pass_on(exponent / factor, factor);
+  Backwards(const Model& model, const Change& change) {
+    const Factors amplitude = model.factors(change);
+    for (const auto& [factor, exponent] : amplitude.parts())
+      pass_on(exponent / by_ratio(factor), factor);
     const std::vector<Line> definitions = model.nested_formula().definitions;
     for (auto line = definitions.rbegin(); line != definitions.rend(); ++line) {
       hear_interruption();
@@ -179,9 +195,9 @@ class Backwards {
     }
   }
 
-  Sensitivity along(const Symbol& parameter, const ex& variable) const {
-    const bool is_frequency = variable.is_equal(omega());
-    const ex p = is_frequency ? laplace() : variable;
+  Sensitivity along(const Symbol& parameter, const ex& x) const {
+    const bool is_frequency = x.is_equal(omega());
+    const ex p = is_frequency ? laplace() : x;
     const auto found = by_.find(p);
     const ex sum = found == by_.end() ? ex(0) : p * found->second;
     const ex relative = real_part_of(sum.subs(laplace() == GiNaC::I * omega()));
@@ -218,6 +234,99 @@ bool has_long_lines(const Derivation& derivation) {
   return derivation.parameters.size() * length_of_definitions(derivation) > longest_unshared;
 }
 
+/// Those of a sum of fractions; what is below their bars is a factor of v*, and stays as it is.
+ex numerators_by_frequency(const ex& sum) {
+  if (GiNaC::is_a<GiNaC::add>(sum)) {
+    ex result = 0;
+    for (const ex& term : sum) result += numerators_by_frequency(term);
+    return result;
+  }
+  ex above = 1, below = 1;
+  for (const ex& factor : GiNaC::is_a<GiNaC::mul>(sum) ? sum : ex(GiNaC::lst{sum})) {
+    const bool divides =
+        GiNaC::is_a<GiNaC::power>(factor) && factor.op(1).info(GiNaC::info_flags::negative);
+    (divides ? below : above) *= factor;
+  }
+  return factors_by_frequency(above) * below;
+}
+
+/// v* as a change writes it, and its sensitivities.
+class SensitivitiesIn {
+ public:
+  SensitivitiesIn(const Derivation& derivation, const Abbreviations& names, const Change& change)
+      : derivation_(derivation), ratio_(change.ratio ? names.ratio : std::nullopt) {
+    of_chains_.ratio = change.ratio;
+    if (!change.scale.empty()) letters_.push_back(*names.stiffness);
+    if (!has_fractions(derivation)) return;
+    if (!ratio_ && letters_.empty())
+      velocity_ = derivation.critical_velocity;
+    else if (const Formula formula = derivation.model->formula(change).value();
+             formula.definitions.empty())
+      velocity_ = formula.velocity;
+  }
+
+  Sensitivities all() {
+    Sensitivities result;
+    for (const Symbol& parameter : derivation_.parameters)
+      if (has_derivative(parameter)) result.each.push_back(of(parameter));
+    if (backwards_) result.shared = std::move(backwards_->shared);
+    return result;
+  }
+
+  /// The complex R_d stands in moduli that no real fraction has.
+  static bool has_fractions(const Derivation& derivation) {
+    return derivation.definitions.empty() && derivation.problem->receptance() == nullptr;
+  }
+
+ private:
+  /// How a measured receptance or contact changes with omega is in its table, not in symbols.
+  bool has_derivative(const Symbol& parameter) const {
+    const Problem& problem = derivation_.problem;
+    return (problem->receptance() == nullptr && problem->measured.empty()) ||
+           parameter != problem->angular_frequency.symbol;
+  }
+
+  Sensitivity of(const Symbol& parameter) {
+    const auto [x, factor] = variable(derivation_.problem, parameter, ratio_);
+    const ex p = is_poisson(derivation_.problem, parameter) ? poisson_ratio(parameter) : x;
+    std::optional<ex> fraction;
+    if (velocity_) fraction = logarithmic_derivative(*velocity_, x, letters_);
+    Sensitivity result =
+        fraction ? Sensitivity{parameter, *fraction, {}, {}, {}} : along(parameter, x);
+    if (fraction) result.relative = numerators_by_frequency(result.relative);
+    result.relative *= factor;
+    result.derivative = derivation_.critical_velocity * result.relative / p;
+    return result;
+  }
+
+  Sensitivity along(const Symbol& parameter, const ex& x) {
+    const Model& model = *derivation_.model;
+    if (has_long_lines(derivation_)) {
+      if (!backwards_) backwards_.emplace(model, of_chains_);
+      return backwards_->along(parameter, x);
+    }
+    if (!chain_) chain_.emplace(model, of_chains_);
+    return chain_->along(parameter, x);
+  }
+
+  const Derivation& derivation_;
+  std::optional<Line> ratio_;
+  Change of_chains_;            ///< without Z: definitions have the scene's symbols
+  std::vector<Line> letters_;   ///< Z, where v* has it
+  std::optional<ex> velocity_;  ///< where it is multiplied out
+  std::optional<Backwards> backwards_;
+  std::optional<Chain> chain_;
+};
+
+int operations_of_all(const Sensitivities& sensitivities) {
+  int sum = 0;
+  for (const Sensitivity& each : sensitivities.each) {
+    sum += printed_operations(each.relative);
+    for (const Line& line : each.changes) sum += printed_operations(line.right);
+  }
+  return sum;
+}
+
 }  // namespace
 
 std::size_t length_of_definitions(const Derivation& derivation) {
@@ -226,34 +335,15 @@ std::size_t length_of_definitions(const Derivation& derivation) {
   return length;
 }
 
-Sensitivities sensitivities(const Derivation& derivation) {
+Sensitivities sensitivities(const Derivation& derivation, const Abbreviations& names) {
   const AlgebraLock lock;
-  const Problem& problem = derivation.problem;
-  std::optional<Backwards> backwards;
-  std::optional<Chain> chain;
-  if (has_long_lines(derivation))
-    backwards.emplace(*derivation.model);
-  else
-    chain.emplace(*derivation.model);
-  const ex& velocity = derivation.critical_velocity;
-  // The complex R_d stands in moduli that no real fraction has.
-  const bool is_nested = !derivation.definitions.empty() || problem->receptance() != nullptr;
-  Sensitivities result;
-  for (const Symbol& parameter : derivation.parameters) {
-    // How a measured receptance or contact changes with omega is in its table, not in symbols.
-    if ((problem->receptance() != nullptr || !problem->measured.empty()) &&
-        parameter == problem->angular_frequency.symbol)
-      continue;
-    const ex p = variable(problem, parameter);
-    std::optional<ex> fraction;
-    if (!is_nested) fraction = logarithmic_derivative(velocity, p);
-    result.each.push_back(fraction    ? Sensitivity{parameter, *fraction, {}, {}, {}}
-                          : backwards ? backwards->along(parameter, p)
-                                      : chain->along(parameter, p));
-    result.each.back().derivative = velocity * result.each.back().relative / p;
-  }
-  if (backwards) result.shared = std::move(backwards->shared);
-  return result;
+  const auto written = [&](const Change& change) {
+    return SensitivitiesIn(derivation, names, change).all();
+  };
+  // Definitions have no k_d for Z, and g is shorter than numbers in any of them.
+  if (!SensitivitiesIn::has_fractions(derivation))
+    return written(abbreviated({names.ratio, {}}, {}).front());
+  return shortest_in(names, {}, written, operations_of_all);
 }
 
 }  // namespace vcrit::symbolic

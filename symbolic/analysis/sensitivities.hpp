@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "analysis/abbreviations.hpp"
 #include "derivation/derivation.hpp"
 #include "formula/line.hpp"
 
@@ -29,8 +30,9 @@ struct Sensitivities {
 
 /// Sensitivities of up to a few dozen terms are multiplied out; larger ones follow the definitions
 /// by the chain rule, forwards, in as many lines for each parameter as these have, or backwards, in
-/// as many lines for all of them.
-Sensitivities sensitivities(const Derivation& derivation);
+/// as many lines for all of them. Each `relative` is written in g and Z if all of them together are
+/// shorter then.
+Sensitivities sensitivities(const Derivation& derivation, const Abbreviations& names = {});
 
 /// Characters of the definitions of v*, which its sensitivities take some times, backwards.
 std::size_t length_of_definitions(const Derivation& derivation);

@@ -139,10 +139,10 @@ Section limits_section(const Findings& findings) {
 
 Section asymptotes_section(const Findings& findings) {
   Section section{"Low and high frequency", "", {}};
-  const auto& [names, asymptotes, resonances] = findings.abbreviated;
+  const std::vector<Asymptote>& asymptotes = findings.abbreviated.asymptotes;
   std::vector<ex> shown;
   for (const Asymptote& asymptote : asymptotes) shown.push_back(asymptote.coefficient);
-  add_names(names, shown, section);
+  add_names(findings.abbreviated.names, shown, section);
   for (const Asymptote& asymptote : asymptotes) {
     DocumentBlock block{asymptote.title, asymptote.definitions, true};
     block.lines.push_back(asymptote_line(asymptote));
@@ -184,14 +184,14 @@ std::vector<DocumentBlock> resonance_blocks(const Resonance& resonance) {
 
 Section resonances_section(const Findings& findings) {
   Section section{"Resonance and antiresonance", "", {}};
-  const auto& [names, asymptotes, resonances] = findings.abbreviated;
+  const std::vector<Resonance>& resonances = findings.abbreviated.resonances;
   std::vector<ex> shown;
   for (const Resonance& resonance : resonances) {
     shown.push_back(resonance.condition);
     if (resonance.parts)
       shown.insert(shown.end(), {resonance.parts->real, resonance.parts->imaginary});
   }
-  add_names(names, shown, section);
+  add_names(findings.abbreviated.names, shown, section);
   for (const Resonance& resonance : resonances)
     for (const DocumentBlock& block : resonance_blocks(resonance)) section.blocks.push_back(block);
   return section;
@@ -262,6 +262,14 @@ Section sensitivities_section(const Findings& findings) {
   Section section{"Sensitivities", note, {}};
   Reader reader;
   reader.tell(findings.derivation.definitions);
+  const auto& [shared, all] = findings.abbreviated.sensitivities;
+  std::vector<ex> shown;
+  for (const Line& line : shared) shown.push_back(line.right);
+  for (const Sensitivity& each : all) {
+    shown.push_back(each.relative);
+    for (const Line& line : each.changes) shown.push_back(line.right);
+  }
+  add_names(findings.abbreviated.names, shown, section);
   const ex B = quantity("B"), K = quantity("K_j");
   Prose with_changes = note;
   with_changes += {" ",
@@ -277,12 +285,11 @@ Section sensitivities_section(const Findings& findings) {
                    " of the ",
                    S,
                    " that follows."};
-  if (const auto& shared = findings.sensitivities.shared; !shared.empty()) {
+  if (!shared.empty()) {
     section.note +=
         {" ", quantity("G_j"), " is the derivative of ", B, " by ", K, ", over ", B, "."};
     section.blocks.push_back({"", shared});
   }
-  const std::vector<Sensitivity>& all = findings.sensitivities.each;
   for (auto next = all.begin(); next != all.end(); ++next) {
     if (!next->changes.empty()) section.note = with_changes;
     if (const auto array = array_block(all, next->parameter)) {

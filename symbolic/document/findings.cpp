@@ -97,7 +97,10 @@ Findings findings_of(const Problem& problem, const DocumentOptions& options) {
     if (options.form != ResultForm::rational)
       findings.extrema = extrema_lines(derivation, readable_extrema);
   }
-  if (options.sensitivities) findings.sensitivities = sensitivities(derivation);
+  if (options.sensitivities) {
+    findings.sensitivities = sensitivities(derivation);
+    findings.abbreviated.sensitivities = sensitivities(derivation, findings.abbreviated.names);
+  }
   return findings;
 }
 

@@ -33,6 +33,7 @@ struct Findings {
     Abbreviations names;
     std::vector<Asymptote> asymptotes;
     std::vector<Resonance> resonances;
+    Sensitivities sensitivities;
   } abbreviated;
   std::vector<Line> extrema;
   Sensitivities sensitivities;

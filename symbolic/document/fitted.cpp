@@ -140,10 +140,10 @@ std::vector<std::vector<Signed>> Fitting::rows(Signed right, double left) {
 std::vector<FittedEquation> Fitting::fitted(const Statement& equation, double column) {
   Signed left = equation.left, right = equation.right;
   // What is 0 is broken behind the equals sign.
-  if (right.form.kind == Form::Kind::number &&
-      width_of(left) + measure_.relation + width_of(right) > measure_.width)
+  const bool is_number = right.form.kind == Form::Kind::number;
+  if (is_number && width_of(left) + measure_.relation + width_of(right) > measure_.width)
     std::swap(left, right);
-  if (width_of(left) > least_right * measure_.width)
+  if (!is_number && width_of(left) > least_right * measure_.width)
     left.form = narrowed(std::move(left.form), least_right * measure_.width);
   const double beside = std::max(width_of(left), column) + measure_.relation;
   FittedEquation whole{left, equation.relation, rows(std::move(right), beside), {}};

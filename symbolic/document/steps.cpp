@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/abbreviated.hpp"
+#include "analysis/by_frequency.hpp"
 #include "derivation/factors.hpp"
 #include "derivation/model.hpp"
 #include "formula/symbols.hpp"
@@ -19,7 +20,8 @@ namespace {
 using GiNaC::ex;
 
 /// even + i omega odd, in this order.
-Signed apart(const EvenOdd& split) {
+Signed apart(const EvenOdd& all) {
+  const EvenOdd split{by_frequency(all.even), by_frequency(all.odd)};
   Form sum{Form::Kind::sum, "", {}, {}, {}, 1};
   const Signed even = form_of(split.even);
   if (even.form.kind == Form::Kind::sum)

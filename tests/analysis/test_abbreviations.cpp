@@ -2,10 +2,14 @@
 // expert writes, by hand from (24), |K_n + g (K_d - m omega^2)|/|K_d - m omega^2|.
 #include <boost/test/unit_test.hpp>
 
+#include <map>
+#include <string>
+
 #include "analysis/abbreviations.hpp"
 #include "analysis/asymptotes.hpp"
 #include "analysis/limits.hpp"
 #include "analysis/resonance.hpp"
+#include "analysis/sensitivities.hpp"
 #include "derivation/scenes.hpp"
 #include "derivation/values.hpp"
 #include "formula/text.hpp"
@@ -114,6 +118,7 @@ BOOST_AUTO_TEST_CASE(conditions_of_resonance_have_both) {
   BOOST_TEST((found[1].parts->real - k1 * k1 * (k0 + g * Z) - turn * (k0 + k1 + g * Z))
                  .expand()
                  .is_zero());
+  BOOST_TEST(to_text(found[1].parts->real) == "k1^2*(k0 + g*Z) + c1^2*omega^2*(k0 + k1 + g*Z)");
   BOOST_TEST(to_text(found[1].parts->imaginary) == "omega*c1*k1^2");
   // Where the drive is the contact's network, both conditions have that alone.
   const Derivation same = derive(scene_of("normal = \"k0 | c0\"\npoisson = 0.3", "k0 | c0", "m"));
@@ -121,6 +126,33 @@ BOOST_AUTO_TEST_CASE(conditions_of_resonance_have_both) {
   BOOST_TEST_REQUIRE(of_one.size() == 2U);
   BOOST_TEST(to_text(of_one[0].condition) == "K_n - m*omega^2");
   BOOST_TEST(to_text(of_one[1].condition) == "K_n + g*(K_n - m*omega^2)");
+}
+
+// By hand: with K_n = k0 the condition k0 + g (kd - m omega^2) = 0 gives omega.
+BOOST_AUTO_TEST_CASE(the_antiresonance_has_the_ratio_by_name) {
+  for (const char* ratio : {"poisson = 0.3", "poisson = \"nu\"", "tangential_ratio = 0.8"}) {
+    const Derivation derivation =
+        derive(scene_of(std::string("normal = \"k0\"\n") + ratio, "kd", "m"));
+    const auto found = resonances(derivation, abbreviations(derivation));
+    BOOST_TEST_REQUIRE(found.size() == 2U);
+    BOOST_TEST(to_text(found[0].frequency.value()) == "sqrt(kd/m)");
+    BOOST_TEST(to_text(found[1].frequency.value()) == "sqrt((k0 + g*kd)/(g*m))");
+  }
+  const Derivation plain = derive(scene_of("normal = \"k0\"\npoisson = 0.3", "kd", "m"));
+  BOOST_TEST(to_text(resonances(plain)[1].frequency.value()) == "sqrt(14*k0/(17*m) + kd/m)");
+}
+
+// By hand: ln v* = ln|k0 + g Z| - ln|Z| and what k0, kd, m and nu are not in. dZ/dm = -omega^2,
+// (nu/g) dg/dnu = nu/((1 - nu) (2 - nu)), and g d/dg ln v* = g Z/(k0 + g Z).
+BOOST_AUTO_TEST_CASE(sensitivities_have_both) {
+  const Derivation derivation = derive(scene_of("normal = \"k0\"\npoisson = \"nu\"", "kd", "m"));
+  const auto all = sensitivities(derivation, abbreviations(derivation)).each;
+  std::map<std::string, std::string> found;
+  for (const Sensitivity& each : all) found[to_text(each.parameter)] = to_text(each.relative);
+  BOOST_TEST(found["k0"] == "k0/(k0 + g*Z)");
+  BOOST_TEST(found["m"] == "k0*m*omega^2/(Z*(k0 + g*Z))");
+  BOOST_TEST(found["kd"] == "-k0*kd/(Z*(k0 + g*Z))");
+  BOOST_TEST(found["nu"] == "g*nu*Z/((1 - nu)*(2 - nu)*(k0 + g*Z))");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

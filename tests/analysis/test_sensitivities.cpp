@@ -1,6 +1,7 @@
 // Sensitivities against differences of v*, and the sums that scaling all parameters demands.
 #include <boost/test/unit_test.hpp>
 
+#include "analysis/abbreviations.hpp"
 #include "analysis/sensitivities.hpp"
 #include "derivation/derivation.hpp"
 #include "derivation/scenes.hpp"
@@ -97,6 +98,23 @@ void check_sums(const Scene& scene, const test::ExactValues& values) {
   BOOST_TEST((GiNaC::abs(time + 1) <= GiNaC::numeric(tolerance)));
 }
 
+/// In g and Z the sensitivities are the same numbers.
+void check_names(const Scene& scene, const test::ExactValues& values) {
+  const Derivation full = derive(scene);
+  const Abbreviations names = abbreviations(full);
+  const Sensitivities plain = sensitivities(full), named = sensitivities(full, names);
+  BOOST_REQUIRE(plain.each.size() == named.each.size());
+  for (std::size_t i = 0; i < plain.each.size(); ++i) {
+    std::vector<Line> lines = definitions(full, named, named.each[i]);
+    for (const auto& name : {names.ratio, names.stiffness})
+      if (name) lines.insert(lines.begin(), *name);
+    const GiNaC::numeric expected = relative(full, plain, plain.each[i], values);
+    const GiNaC::numeric found = value_at(named.each[i].relative, lines, values);
+    BOOST_TEST((GiNaC::abs(found - expected) <= GiNaC::numeric(tolerance)),
+               to_text(plain.each[i].parameter));
+  }
+}
+
 const Sensitivity& of(const Sensitivities& all, const std::string& name) {
   for (const Sensitivity& sensitivity : all.each)
     if (to_text(sensitivity.parameter) == name) return sensitivity;
@@ -140,7 +158,7 @@ BOOST_AUTO_TEST_CASE(poissons_ratio) {
 BOOST_AUTO_TEST_CASE(sensitivities_are_what_differences_tend_to) {
   GiNaC::Digits = 300;
   for (const Scene& scene :
-       {test::kelvin_scene(),
+       {test::kelvin_scene(), scene_of("normal = \"k0 | (k1 - c1)\"\npoisson = 0.3", "kd", "m"),
         scene_of("normal = \"k0 | (k1 - c1)\"\npoisson = \"nu\"", "kd | cd", "m"),
         scene_of("normal = \"burgers(k1, c1, k2, c2)\"\ntangential_ratio = \"r\"", "kd"),
         scene_of("normal = \"prony(k0, k, tau, 12)\"\ntangential = \"kt | ct\"", "kd", "m"),
@@ -149,6 +167,7 @@ BOOST_AUTO_TEST_CASE(sensitivities_are_what_differences_tend_to) {
         scene_of("normal = \"kn | cs\"\ntangential = \"kt - cs\"", "cs | kd", "m")}) {
     check(scene, test::some_values(scene));
     check_sums(scene, test::some_values(scene));
+    check_names(scene, test::some_values(scene));
   }
 }
 
@@ -166,6 +185,7 @@ BOOST_AUTO_TEST_CASE(random_scenes) {
     BOOST_TEST_CONTEXT("scene " << i) {
       check(scene, test::exact_values(scene));
       check_sums(scene, test::exact_values(scene));
+      check_names(scene, test::exact_values(scene));
     }
   }
   BOOST_TEST(nested > 5);
@@ -240,6 +260,7 @@ BOOST_AUTO_TEST_CASE(many_parameters_share_their_lines) {
   BOOST_TEST(longer.longest < 1.2 * static_cast<double>(shared.longest));
   check(large, test::some_values(large));
   check_sums(large, test::some_values(large));
+  check_names(large, test::some_values(large));
 }
 
 BOOST_AUTO_TEST_CASE(masses_of_the_drive) {

@@ -123,6 +123,10 @@ BOOST_AUTO_TEST_CASE(what_is_zero_is_broken_behind_the_sign) {
   BOOST_TEST_REQUIRE(equations.size() == 1u);
   BOOST_TEST(latex_dialect().print(equations[0].left) == "0");
   BOOST_TEST(equations[0].rows.size() > 1u);
+  // Wider than half a page, which is all that is left of other signs.
+  const ex fits = element(10) * long_sum(1, 6);
+  BOOST_TEST(measure_of_page.of(form_of(fits).form) > 0.5 * measure_of_page.width);
+  BOOST_TEST(fitting.fitted(stated(fits, 0)).size() == 1u);
 }
 
 // Letters of Computer Modern, from cmmi10.tfm and cmr10.tfm, by hand: k is 5.2 pt, its index 4.0.

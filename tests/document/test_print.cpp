@@ -145,8 +145,8 @@ BOOST_AUTO_TEST_CASE(steps_have_the_ratio_and_the_stiffness_by_name) {
         print(test::scene_of(std::string("normal = \"k0 | (k1 - c1)\"\n") + ratio, "kd", "m"), {});
     for (const char* expected :
          {"with even and odd powers of s = i*omega separated, and Z = kd - m*omega^2:",
-          "    P_1 = k0*k1 + g*k1*Z + i*omega*(c1*k0 + c1*k1 + g*c1*Z)\n",
-          "    P_2 = k1 + i*omega*c1\n", "    B = -mu0*du_z*P_1/(P_2*Z)\n",
+          "    P_1 = k1*(k0 + g*Z) + i*omega*c1*(k0 + k1 + g*Z)\n", "    P_2 = k1 + i*omega*c1\n",
+          "    B = -mu0*du_z*P_1/(P_2*Z)\n",
           "    v* = mu0*omega*du_z*abs(P_1)/(abs(P_2)*abs(Z))\n"})
       BOOST_TEST((text.find(expected) != std::string::npos), text);
   }

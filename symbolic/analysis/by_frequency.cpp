@@ -1,0 +1,128 @@
+#include "analysis/by_frequency.hpp"
+
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/abbreviated.hpp"
+#include "derivation/model.hpp"
+#include "formula/rational.hpp"
+#include "formula/symbols.hpp"
+#include "network/polynomial.hpp"
+
+namespace vcrit::symbolic {
+
+namespace {
+
+using GiNaC::ex;
+
+// Longer ones are not read.
+constexpr std::size_t most_terms_by_frequency = 100;
+
+using SymbolsByName = std::map<std::string, ex>;
+
+SymbolsByName symbols_by_name(const ex& expression) {
+  SymbolsByName all;
+  for (const ex& each : free_symbols(expression))
+    all.emplace(GiNaC::ex_to<GiNaC::symbol>(each).get_name(), each);
+  return all;
+}
+
+std::vector<std::string> names_of(const SymbolsByName& symbols) {
+  std::vector<std::string> names;
+  for (const auto& [name, symbol] : symbols) names.push_back(name);
+  return names;
+}
+
+/// For evaluate_rational(), of what has integer coefficients and no denominator.
+struct PolynomialAlgebra {
+  using Value = Polynomial;
+  const Ring& ring;
+
+  Value number(const GiNaC::numeric& integer) const {
+    std::ostringstream digits;
+    digits << integer;
+    Polynomial result(ring, 0);
+    result.add_term(digits.str(), std::vector<unsigned long>(ring.size()));
+    return result;
+  }
+  Value name(const std::string& name) const { return Polynomial::variable(ring, name); }
+  static Value add(const Value& a, const Value& b) { return a + b; }
+  static Value multiply(const Value& a, const Value& b) { return a * b; }
+  static Value invert(const Value&) { throw std::logic_error("no polynomial"); }
+};
+
+ex sum_of_polynomial(const Polynomial& polynomial, const SymbolsByName& symbols) {
+  GiNaC::exvector terms;
+  for (std::size_t i = 0; i < polynomial.terms(); ++i) {
+    ex term = GiNaC::numeric(polynomial.coefficient(i).c_str());
+    const std::vector<unsigned long> exponents = polynomial.exponents(i);
+    std::size_t at = 0;
+    for (const auto& [name, symbol] : symbols)
+      term *= GiNaC::pow(symbol, static_cast<int>(exponents[at++]));
+    terms.push_back(term);
+  }
+  return GiNaC::add(terms);
+}
+
+/// number * product(base^exponent)
+struct FactoredSum {
+  ex number;
+  std::vector<std::pair<ex, int>> powers;
+};
+
+FactoredSum factored_sum(const ex& sum) {
+  const GiNaC::numeric content = sum.integer_content().is_zero()
+                                     ? GiNaC::numeric(1)
+                                     : GiNaC::ex_to<GiNaC::numeric>(sum.integer_content());
+  const ex whole = (sum / content).expand();
+  const SymbolsByName symbols = symbols_by_name(whole);
+  const Ring ring(names_of(symbols));
+  const FactoredPolynomial found =
+      polynomial_factors(evaluate_rational(whole, PolynomialAlgebra{ring}));
+  FactoredSum result{content * GiNaC::numeric(found.constant.c_str()), {}};
+  for (const auto& [factor, exponent] : found.factors)
+    result.powers.emplace_back(sum_of_polynomial(factor, symbols), static_cast<int>(exponent));
+  return result;
+}
+
+ex product_of(const FactoredSum& factors) {
+  ex product = factors.number;
+  for (const auto& [base, exponent] : factors.powers) product *= GiNaC::pow(base, exponent);
+  return product;
+}
+
+/// Its coefficients of the powers of omega as products.
+ex sum_by_powers(const ex& sum) {
+  ex result = 0;
+  for (int power = sum.ldegree(omega()); power <= sum.degree(omega()); ++power)
+    if (const ex coefficient = sum.coeff(omega(), power); !coefficient.is_zero())
+      result += product_of(factored_sum(coefficient)) * GiNaC::pow(omega(), power);
+  return result;
+}
+
+}  // namespace
+
+ex by_frequency(const ex& polynomial) {
+  const ex sum = polynomial.expand();
+  if (!GiNaC::is_a<GiNaC::add>(sum) || sum.nops() > most_terms_by_frequency) return polynomial;
+  FactoredSum factors = factored_sum(sum);
+  for (auto& [base, exponent] : factors.powers) base = sum_by_powers(base);
+  const ex shorter = product_of(factors);
+  return printed_operations(shorter) < printed_operations(polynomial) ? shorter : polynomial;
+}
+
+ex factors_by_frequency(const ex& product) {
+  if (GiNaC::is_a<GiNaC::add>(product)) return by_frequency(product);
+  if (GiNaC::is_a<GiNaC::power>(product) && product.op(1).info(GiNaC::info_flags::integer))
+    return GiNaC::pow(by_frequency(product.op(0)), product.op(1));
+  if (!GiNaC::is_a<GiNaC::mul>(product)) return product;
+  ex result = 1;
+  for (const ex& factor : product) result *= factors_by_frequency(factor);
+  return result;
+}
+
+}  // namespace vcrit::symbolic
