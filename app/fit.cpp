@@ -29,7 +29,6 @@ namespace vcrit::app {
 
 namespace {
 
-using fit::Data;
 using fit::Fit;
 using fit::KnownStiffness;
 using fit::Uncertain;
@@ -83,7 +82,8 @@ void print_fit_text(const FitContents& result, bool complete, int digits) {
   if (!complete) fmt::print("It lacks numbers, which vcrit check {} names.\n", result.scene);
 }
 
-std::vector<NewFile> figure_files(const Data& data, const Fit& fit, const std::string& directory) {
+std::vector<NewFile> figure_files(const StiffnessTable& data, const Fit& fit,
+                                  const std::string& directory) {
   std::vector<validation::report::FigureFile> files;
   for (const auto& figure : validation::report::fit_figures(data, fit))
     files.push_back({"", figure.name, validation::figures::gnuplot(figure)});
@@ -92,8 +92,9 @@ std::vector<NewFile> figure_files(const Data& data, const Fit& fit, const std::s
 
 // Frequencies spread over the data, and the frequency of the oscillation if it is known and lies
 // within the data.
-std::vector<double> frequencies_of_interest(const Data& data, const std::string& frequency) {
-  std::vector<double> omegas = frequencies_across(data);
+std::vector<double> frequencies_of_interest(const StiffnessTable& data,
+                                            const std::string& frequency) {
+  std::vector<double> omegas = fit::frequencies_across(data);
   if (frequency.empty()) return omegas;
   const double omega = two_pi * parse_quantity(frequency, Dimension::frequency, {"--frequency"});
   const auto place = std::lower_bound(omegas.begin(), omegas.end(), omega);
@@ -102,7 +103,7 @@ std::vector<double> frequencies_of_interest(const Data& data, const std::string&
   return omegas;
 }
 
-std::vector<std::string> spelled_words(const Data& data, const Fit& fit) {
+std::vector<std::string> spelled_words(const StiffnessTable& data, const Fit& fit) {
   std::vector<std::string> all = in_words(data, fit);
   for (std::string& words : all) words = with_options(words);
   return all;
@@ -126,8 +127,8 @@ void run_fit(const FitOptions& options) {
   if (out.extension() != ".toml")
     throw InputError({"--out"}, fmt::format("\"{}\"", options.out), "a file ending in .toml");
   if (!options.figures.empty()) validation::report::require_gnuplot("figures");
-  const Data data =
-      fit::read_data(options.data, fit::punch_of(options.punch_radius, options.rest.poisson));
+  const StiffnessTable data =
+      read_stiffness_table(options.data, punch_of(options.punch_radius, options.rest.poisson));
   if (!options.punch_radius.empty()) warn_of_wide_punch(options.punch_radius);
   const Fit fit = fit::fitted(data, options.fit);
   const FitContents contents{

@@ -38,9 +38,9 @@ Columns branches_of(const fit::Fit& found) {
 }
 
 /// Frequency; storage and loss; the lowest and the highest value of each.
-Columns known_of(const fit::Data& data, const fit::Fit& found) {
+Columns known_of(const StiffnessTable& data, const fit::Fit& found) {
   Columns columns(7);
-  for (const fit::KnownStiffness& at : known_stiffness(data, found, frequencies_across(data))) {
+  for (const fit::KnownStiffness& at : known_stiffness(data, found, fit::frequencies_across(data))) {
     const auto& [omega, storage, loss, of_storage, of_loss] = at;
     const double row[] = {omega / two_pi,  storage,     loss,        of_storage.low,
                           of_storage.high, of_loss.low, of_loss.high};
@@ -57,7 +57,7 @@ struct Given {
 };
 
 struct Fitted {
-  fit::Data data;
+  StiffnessTable data;
   fit::Fit series;
   Columns known;
   std::string scene;
@@ -65,8 +65,8 @@ struct Fitted {
 
 Fitted fitted_to(const Given& given) {
   const OthersRun others_run;
-  const auto punch = fit::punch_of(given.punch_radius, given.rest.poisson);
-  fit::Data data = fit::parse_data(given.text, given.file, punch);
+  const auto punch = punch_of(given.punch_radius, given.rest.poisson);
+  StiffnessTable data = parse_stiffness_table(given.text, given.file, punch);
   fit::Fit series = fit::fitted(data, given.options);
   Columns known = known_of(data, series);
   std::string scene = scene_text(series, data, given.rest);

@@ -165,7 +165,7 @@ class AnySeries {
 
 // Half of the last digit written, in the coarser of the two rows about this frequency. Rounding
 // moves all rows of a plateau alike, so that no scatter shows it.
-double half_a_digit(const Data& data, double omega, double StiffnessRow::*step) {
+double half_a_digit(const StiffnessTable& data, double omega, double StiffnessRow::*step) {
   const auto above =
       std::lower_bound(data.rows.begin(), data.rows.end() - 1, omega,
                        [](const StiffnessRow& row, double at) { return row.omega < at; });
@@ -180,7 +180,7 @@ Interval widened(const Interval& interval, double fitted, double rounding) {
 
 }  // namespace
 
-std::vector<KnownStiffness> known_stiffness(const Data& data, const Fit& fit,
+std::vector<KnownStiffness> known_stiffness(const StiffnessTable& data, const Fit& fit,
                                             const std::vector<double>& omegas) {
   const bool near = fit.rms_relative < far_off;
   const Weighed weighed(data, near ? std::optional(fit.series) : std::nullopt);
@@ -200,7 +200,7 @@ std::vector<KnownStiffness> known_stiffness(const Data& data, const Fit& fit,
   return known;
 }
 
-std::vector<double> frequencies_across(const Data& data) {
+std::vector<double> frequencies_across(const StiffnessTable& data) {
   const double from = data.rows.front().omega, to = data.rows.back().omega;
   std::vector<double> omegas;
   for (int i = 0; i < frequencies; ++i)

@@ -20,10 +20,10 @@ struct KnownStiffness {
 };
 
 /// At each of these frequencies (rad/s).
-std::vector<KnownStiffness> known_stiffness(const Data& data, const Fit& fit,
+std::vector<KnownStiffness> known_stiffness(const StiffnessTable& data, const Fit& fit,
                                             const std::vector<double>& omegas);
 
 /// Frequencies (rad/s) from the first of the data to the last, evenly spaced in their logarithm.
-std::vector<double> frequencies_across(const Data& data);
+std::vector<double> frequencies_across(const StiffnessTable& data);
 
 }  // namespace vcrit::fit

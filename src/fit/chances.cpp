@@ -16,7 +16,7 @@ constexpr double upper_end = 0.975;
 
 }  // namespace
 
-double chance_of_mean(const Data& data, double sign) {
+double chance_of_mean(const StiffnessTable& data, double sign) {
   const auto rows = static_cast<double>(data.rows.size());
   double sum = 0, squares = 0;
   for (const StiffnessRow& row : data.rows) {
@@ -54,7 +54,7 @@ Judgement judgement_of_fall(double before, double after, int more, int degrees, 
   return with_usual.chance / with_usual.level < alone.chance / alone.level ? with_usual : alone;
 }
 
-bool shows_loss(const Data& data) {
+bool shows_loss(const StiffnessTable& data) {
   const double few = data.has_errors ? 0 : level(static_cast<int>(data.rows.size()) - 1);
   return chance_of_mean(data, 1) < std::max(two_deviations, few);
 }

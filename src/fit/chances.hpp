@@ -44,7 +44,7 @@ Judgement judgement_of_fall(double before, double after, int more, int degrees, 
 
 /// Whether the losses are above 0 on average by two standard deviations: Student's test, by one
 /// side (Gauss's where errors are given). With three or four rows `level` is enough.
-bool shows_loss(const Data& data);
+bool shows_loss(const StiffnessTable& data);
 /// Its chance, that of a normal deviate above 2.
 constexpr double two_deviations = 0.02275;
 
@@ -60,6 +60,6 @@ double widening(int degrees);
 
 /// The chance that noise alone makes the mean of the losses times `sign`, as parts of |K|, so
 /// large: by Student, or by Gauss where errors are given.
-double chance_of_mean(const Data& data, double sign);
+double chance_of_mean(const StiffnessTable& data, double sign);
 
 }  // namespace vcrit::fit

@@ -31,7 +31,8 @@ constexpr double first_part = 1e-3;
 
 class Fitting {
  public:
-  Fitting(const Data& data, const Options& options, const std::optional<Relaxation>& expected = {})
+  Fitting(const StiffnessTable& data, const Options& options,
+          const std::optional<Relaxation>& expected = {})
       : given_(data), data_(data, expected), options_(options), terms_{true, options.damper} {}
 
   Fit run() {
@@ -245,7 +246,7 @@ class Fitting {
     return fit;
   }
 
-  const Data& given_;
+  const StiffnessTable& given_;
   Weighed data_;
   Options options_;
   Terms terms_;
@@ -257,7 +258,7 @@ class Fitting {
 
 // Whether i has the other sign in these data: losses that are too low for noise, or all of which
 // are, and by half of what is usual on average.
-bool has_losses_of_wrong_sign(const Data& data) {
+bool has_losses_of_wrong_sign(const StiffnessTable& data) {
   if (chance_of_mean(data, -1) < significance) return true;
   double sum = 0;
   for (const StiffnessRow& row : data.rows) {
@@ -267,7 +268,7 @@ bool has_losses_of_wrong_sign(const Data& data) {
   return sum < -usual_noise / 2 * static_cast<double>(data.rows.size());
 }
 
-void refuse_what_cannot_be_fitted(const Data& data) {
+void refuse_what_cannot_be_fitted(const StiffnessTable& data) {
   if (data.rows.size() < least_rows)
     throw InputError({data.file}, fmt::format("{} rows of numbers", data.rows.size()),
                      fmt::format("at least {}", least_rows));
@@ -291,7 +292,7 @@ double noise_beside(const StiffnessRow& row, const Fit& fit) {
 }
 
 // What is negative by more than the noise that the fit has found.
-void refuse_below_noise(const Data& data, const Fit& fit) {
+void refuse_below_noise(const StiffnessTable& data, const Fit& fit) {
   if (data.has_errors) return;
   for (const StiffnessRow& row : data.rows) {
     const double noise = noise_beside(row, fit);
@@ -318,7 +319,7 @@ double per_degree(const Fit& fit) { return fit.sum_of_squares / fit.degrees_of_f
 
 }  // namespace
 
-Fit fitted(const Data& data, const Options& options) {
+Fit fitted(const StiffnessTable& data, const Options& options) {
   if (options.most_branches < 1)
     throw InputError(argument("max_branches"), fmt::format("{}", options.most_branches),
                      "at least 1");

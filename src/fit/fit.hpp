@@ -58,7 +58,7 @@ struct Fit {
 };
 
 /// Throws InputError for data that no series fits or options out of range.
-Fit fitted(const Data& data, const Options& options = {});
+Fit fitted(const StiffnessTable& data, const Options& options = {});
 
 /// Root mean square misfit above which no series comes near the data: measurements are better.
 constexpr double far_off = 0.2;

@@ -22,7 +22,7 @@ Sizes sizes(const StiffnessRow& row, bool errors_known, const std::optional<Rela
 
 }  // namespace
 
-Weighed::Weighed(const Data& data, const std::optional<Relaxation>& expected)
+Weighed::Weighed(const StiffnessTable& data, const std::optional<Relaxation>& expected)
     : errors_known_(data.has_errors) {
   const auto rows = static_cast<Index>(data.rows.size());
   weight_.resize(2 * rows);

@@ -26,7 +26,7 @@ class Weighed {
  public:
   /// |K| is that of `expected` where it is given, else of the data. Data that noise made small
   /// would count for more than those that it made large.
-  explicit Weighed(const Data& data, const std::optional<Relaxation>& expected = {});
+  explicit Weighed(const StiffnessTable& data, const std::optional<Relaxation>& expected = {});
 
   Eigen::Index size() const { return target_.size(); }  ///< two a row: storage, loss
   const Eigen::VectorXd& target() const { return target_; }

@@ -63,7 +63,7 @@ std::string network(const Fit& fit) {
   return text;
 }
 
-std::string contact(const Fit& fit, const Data& data, const Rest& rest) {
+std::string contact(const Fit& fit, const StiffnessTable& data, const Rest& rest) {
   std::string text = fmt::format("[contact]\nnormal  = \"{}\"\n", network(fit));
   text += fmt::format(
       "fitted_range = [\"{} Hz\", \"{} Hz\"]  # the data; vcrit warns of frequencies beyond\n",
@@ -90,7 +90,7 @@ std::string elements(const Fit& fit) {
                             list(fit.branches, &FittedBranch::time));
 }
 
-std::string origin(const Fit& fit, const Data& data) {
+std::string origin(const Fit& fit, const StiffnessTable& data) {
   constexpr double hertz = two_pi;  // rad/s
   return fmt::format(
       "# Prony series with {} branch{}, fitted by `vcrit fit` to {} frequencies of {}, {} to {},\n"
@@ -103,7 +103,7 @@ std::string origin(const Fit& fit, const Data& data) {
 
 }  // namespace
 
-std::string scene_text(const Fit& fit, const Data& data, const Rest& rest) {
+std::string scene_text(const Fit& fit, const StiffnessTable& data, const Rest& rest) {
   const std::string title =
       rest.title.empty()
           ? "Contact fitted to " + std::filesystem::path(data.file).filename().string()

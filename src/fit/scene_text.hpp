@@ -15,6 +15,6 @@ struct Rest {
 };
 
 /// TOML. Throws InputError, naming the option, for a quantity of the wrong dimension.
-std::string scene_text(const Fit& fit, const Data& data, const Rest& rest);
+std::string scene_text(const Fit& fit, const StiffnessTable& data, const Rest& rest);
 
 }  // namespace vcrit::fit

@@ -31,7 +31,7 @@ std::string noise_in_words(const Fit& fit) {
 
 }  // namespace
 
-std::vector<std::string> in_words(const Data& data, const Fit& fit) {
+std::vector<std::string> in_words(const StiffnessTable& data, const Fit& fit) {
   std::vector<std::string> words{length_in_words(fit),
                                  fmt::format("the root mean square misfit is {:.3g} %; {}",
                                              100 * fit.rms_relative, noise_in_words(fit))};

@@ -56,7 +56,7 @@ std::string signature(const Sweep& sweep) {
   }
   for (const MeasuredStiffness& measured : sweep.problem->measured) {
     std::vector<double> numbers;
-    for (const fit::StiffnessRow& row : measured.table->rows)
+    for (const StiffnessRow& row : measured.table->rows)
       numbers.insert(numbers.end(), {row.omega, row.storage, row.loss});
     text += fmt::format("dynamic stiffness, fingerprint {:016x}\n", fingerprint(numbers));
   }

@@ -6,7 +6,7 @@
 #include "base/units.hpp"
 #include "scene/stiffness_data.hpp"
 
-namespace vcrit::fit {
+namespace vcrit {
 
 std::optional<Punch> punch_of(const std::string& radius, const std::string& poisson) {
   if (radius.empty()) return std::nullopt;
@@ -23,4 +23,4 @@ std::optional<Punch> punch_of(const std::string& radius, const std::string& pois
   return punch;
 }
 
-}  // namespace vcrit::fit
+}  // namespace vcrit

@@ -11,15 +11,13 @@
 
 namespace vcrit {
 
-namespace fit {
-struct Data;
-}
+struct StiffnessTable;
 
 /// K = K' + i K'' of the table as an element of kind `measured`, whose numbers follow omega.
 struct MeasuredStiffness {
-  Symbol storage, loss_factor;             ///< K' (N/m) and K''/K'
-  Symbol rest;                             ///< K(0), of the normal contact alone
-  std::shared_ptr<const fit::Data> table;  ///< K' above 0, K'' at least 0, omega increasing
+  Symbol storage, loss_factor;                  ///< K' (N/m) and K''/K'
+  Symbol rest;                                  ///< K(0), of the normal contact alone
+  std::shared_ptr<const StiffnessTable> table;  ///< K' above 0, K'' at least 0, omega increasing
 };
 
 /// Both numbers at one omega.

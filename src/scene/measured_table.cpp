@@ -12,7 +12,7 @@ namespace vcrit {
 
 namespace {
 
-void refuse_active(const fit::StiffnessRow& row, const std::string& file) {
+void refuse_active(const StiffnessRow& row, const std::string& file) {
   const Place place{file, row.line};
   if (!(row.storage > 0))
     throw InputError(place, "a storage stiffness of " + rounded(row.storage, "N/m"),
@@ -25,14 +25,14 @@ void refuse_active(const fit::StiffnessRow& row, const std::string& file) {
 
 }  // namespace
 
-std::shared_ptr<const fit::Data> read_measured_stiffness(const std::string& file,
-                                                         const Place& place,
-                                                         std::vector<Warning>& notes) {
+std::shared_ptr<const StiffnessTable> read_measured_stiffness(const std::string& file,
+                                                              const Place& place,
+                                                              std::vector<Warning>& notes) {
   if (!std::filesystem::is_regular_file(file))
     throw InputError(place, fmt::format("dynamic stiffness = \"{}\", which is no file", file),
-                     "a table in CSV with " + fit::expected_columns());
-  auto data = std::make_shared<fit::Data>(fit::read_data(file));
-  for (const fit::StiffnessRow& row : data->rows) refuse_active(row, file);
+                     "a table in CSV with " + expected_columns());
+  auto data = std::make_shared<StiffnessTable>(read_stiffness_table(file));
+  for (const StiffnessRow& row : data->rows) refuse_active(row, file);
   for (const std::string& note : data->notes) notes.push_back({{file}, note});
   return data;
 }

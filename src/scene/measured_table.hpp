@@ -14,8 +14,8 @@ namespace vcrit {
 /// Reads a table as `vcrit fit` takes it; its notes go to `notes`. Throws InputError with file and
 /// line, also for a row that no passive contact has: a storage stiffness of 0 or a loss below 0. At
 /// `place` where there is no such file.
-std::shared_ptr<const fit::Data> read_measured_stiffness(const std::string& file,
-                                                         const Place& place,
-                                                         std::vector<Warning>& notes);
+std::shared_ptr<const StiffnessTable> read_measured_stiffness(const std::string& file,
+                                                              const Place& place,
+                                                              std::vector<Warning>& notes);
 
 }  // namespace vcrit

@@ -9,7 +9,7 @@
 
 #include "base/units.hpp"
 
-namespace vcrit::fit {
+namespace vcrit {
 
 namespace {
 
@@ -105,7 +105,7 @@ double of_one(const Heading& heading, Dimension dimension, const Place& place) {
 }
 
 double factor(const Heading& heading, Dimension dimension, const std::optional<Punch>& punch,
-              TableColumns& columns, const Place& place) {
+              StiffnessColumns& columns, const Place& place) {
   if (heading.unit.empty()) return 1;
   const auto modulus =
       dimension == Dimension::stiffness ? modulus_in(heading.unit, place) : std::nullopt;
@@ -118,7 +118,7 @@ double factor(const Heading& heading, Dimension dimension, const std::optional<P
   return *modulus * punch->length();
 }
 
-void refuse_sets(const TableColumns& columns, const Place& place) {
+void refuse_sets(const StiffnessColumns& columns, const Place& place) {
   std::vector<std::string> missing;
   if (!columns[frequency] && !columns[angular_frequency])
     missing.emplace_back("frequency or angular_frequency");
@@ -139,7 +139,7 @@ void refuse_sets(const TableColumns& columns, const Place& place) {
 }
 
 // A modulus beside a stiffness would be one of them in the wrong unit.
-void refuse_mixture(const TableColumns& columns, const std::vector<bool>& modulus,
+void refuse_mixture(const StiffnessColumns& columns, const std::vector<bool>& modulus,
                     const Place& place) {
   for (const MeasuredQuantity each : {storage, loss, storage_error, loss_error})
     if (columns.moduli && columns[each] && columns[each]->has_unit && !modulus[each])
@@ -158,8 +158,8 @@ std::string expected_columns() {
          "[N/um]\"";
 }
 
-TableColumns columns_of(const CsvLines& header, const std::optional<Punch>& punch) {
-  TableColumns columns;
+StiffnessColumns stiffness_columns_of(const CsvLines& header, const std::optional<Punch>& punch) {
+  StiffnessColumns columns;
   std::vector<bool> modulus(measured_quantities, false);
   const std::vector<std::string> cells = header.cells();
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -180,7 +180,7 @@ TableColumns columns_of(const CsvLines& header, const std::optional<Punch>& punc
     const double to_si = factor(found, match->dimension, punch, columns, header.place());
     modulus[quantity] = columns.moduli;
     columns.moduli = columns.moduli || had_moduli;
-    column = TableColumn{i, to_si, !found.unit.empty()};
+    column = StiffnessColumn{i, to_si, !found.unit.empty()};
   }
   refuse_sets(columns, header.place());
   refuse_mixture(columns, modulus, header.place());
@@ -191,7 +191,7 @@ TableColumns columns_of(const CsvLines& header, const std::optional<Punch>& punc
   return columns;
 }
 
-std::optional<std::string> assumed_units(const TableColumns& columns) {
+std::optional<std::string> assumed_units(const StiffnessColumns& columns) {
   std::string list;
   for (std::size_t i = 0; i < measured_quantities; ++i)
     if (columns.of[i] && !columns.of[i]->has_unit && i != tan_delta)
@@ -205,4 +205,4 @@ std::optional<std::string> assumed_units(const TableColumns& columns) {
          (may_be_modulus ? ", and those of moduli, \"storage [MPa]\"" : "");
 }
 
-}  // namespace vcrit::fit
+}  // namespace vcrit

@@ -10,7 +10,7 @@
 #include "base/csv.hpp"
 #include "scene/stiffness_data.hpp"
 
-namespace vcrit::fit {
+namespace vcrit {
 
 enum MeasuredQuantity {
   frequency,
@@ -23,17 +23,17 @@ enum MeasuredQuantity {
   measured_quantities
 };
 
-struct TableColumn {
+struct StiffnessColumn {
   std::size_t index = 0;
   double factor = 1;  ///< to SI, of a modulus to the stiffness below the punch
   bool has_unit = false;
 };
 
-struct TableColumns {
-  std::array<std::optional<TableColumn>, measured_quantities> of;
+struct StiffnessColumns {
+  std::array<std::optional<StiffnessColumn>, measured_quantities> of;
   bool moduli = false;  ///< storage and loss were moduli
 
-  const std::optional<TableColumn>& operator[](MeasuredQuantity quantity) const {
+  const std::optional<StiffnessColumn>& operator[](MeasuredQuantity quantity) const {
     return of[quantity];
   }
 };
@@ -43,9 +43,9 @@ std::string expected_columns();
 
 /// Throws InputError for a column that nothing is known by, one that is missing or there twice, and
 /// a unit that does not fit; a modulus needs a punch.
-TableColumns columns_of(const CsvLines& header, const std::optional<Punch>& punch);
+StiffnessColumns stiffness_columns_of(const CsvLines& header, const std::optional<Punch>& punch);
 
 /// What the header leaves open and is taken as SI; nothing where all have units.
-std::optional<std::string> assumed_units(const TableColumns& columns);
+std::optional<std::string> assumed_units(const StiffnessColumns& columns);
 
-}  // namespace vcrit::fit
+}  // namespace vcrit

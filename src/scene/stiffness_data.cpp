@@ -12,11 +12,11 @@
 #include "scene/stiffness_columns.hpp"
 #include "scene/written_digits.hpp"
 
-namespace vcrit::fit {
+namespace vcrit {
 
 namespace {
 
-StiffnessRow row_of(const std::vector<double>& numbers, const TableColumns& columns) {
+StiffnessRow stiffness_row_of(const std::vector<double>& numbers, const StiffnessColumns& columns) {
   const auto value = [&](MeasuredQuantity quantity) {
     const auto& column = columns[quantity];
     return column ? column->factor * numbers[column->index] : 0;
@@ -61,7 +61,7 @@ void refuse_frequency_order(const std::vector<StiffnessRow>& rows, const Place& 
                    rises ? "frequencies that go on rising" : "frequencies that go on falling");
 }
 
-void note_below_zero(Data& data, const Place& place) {
+void note_below_zero(StiffnessTable& data, const Place& place) {
   const StiffnessRow& row = data.rows.back();
   const auto note = [&](const char* name, double value) {
     if (value < 0)
@@ -74,13 +74,13 @@ void note_below_zero(Data& data, const Place& place) {
   note("loss", row.loss);
 }
 
-void note_steps(Data& data, const std::vector<double>& steps, double unit,
+void note_steps(StiffnessTable& data, const std::vector<double>& steps, double unit,
                 double StiffnessRow::*step) {
   for (std::size_t i = 0; i < steps.size(); ++i) data.rows[i].*step = unit * steps[i];
 }
 
 // storage times tan delta moves with either.
-void note_steps_of_product(Data& data, const std::vector<double>& steps, double unit) {
+void note_steps_of_product(StiffnessTable& data, const std::vector<double>& steps, double unit) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     StiffnessRow& row = data.rows[i];
     row.loss_step = std::hypot(std::abs(row.storage) * unit * steps[i],
@@ -96,14 +96,14 @@ std::string rows_found(std::size_t rows) {
 
 }  // namespace
 
-Data parse_data(const std::string& text, const std::string& file,
-                const std::optional<Punch>& punch) {
+StiffnessTable parse_stiffness_table(const std::string& text, const std::string& file,
+                                     const std::optional<Punch>& punch) {
   CsvLines lines(text, file);
   if (!lines.next()) throw InputError({file}, "an empty table", expected_columns());
-  const TableColumns columns = columns_of(lines, punch);
+  const StiffnessColumns columns = stiffness_columns_of(lines, punch);
   const std::size_t count = lines.cells().size();
   std::vector<std::string> storages, losses;
-  Data data{file, {}, columns[storage_error].has_value(), {}};
+  StiffnessTable data{file, {}, columns[storage_error].has_value(), {}};
   if (const auto note = assumed_units(columns)) data.notes.push_back(*note);
   if (columns.moduli)
     data.notes.push_back(
@@ -112,7 +112,7 @@ Data parse_data(const std::string& text, const std::string& file,
                     rounded(punch->length(), "m"), rounded(punch->radius, "m"), punch->poisson));
   while (lines.next()) {
     data.rows.push_back(
-        row_of(lines.numbers(count, fmt::format("{} numbers, as the header has", count)), columns));
+        stiffness_row_of(lines.numbers(count, fmt::format("{} numbers, as the header has", count)), columns));
     data.rows.back().line = lines.place().line;
     storages.push_back(lines.cells()[columns[storage]->index]);
     losses.push_back(lines.cells()[columns[columns[tan_delta] ? tan_delta : loss]->index]);
@@ -134,8 +134,8 @@ Data parse_data(const std::string& text, const std::string& file,
   return data;
 }
 
-Data read_data(const std::string& file, const std::optional<Punch>& punch) {
-  return parse_data(read_file(file), file, punch);
+StiffnessTable read_stiffness_table(const std::string& file, const std::optional<Punch>& punch) {
+  return parse_stiffness_table(read_file(file), file, punch);
 }
 
-}  // namespace vcrit::fit
+}  // namespace vcrit

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace vcrit::fit {
+namespace vcrit {
 
 struct StiffnessRow {
   double omega = 0;              ///< rad/s, > 0
@@ -15,7 +15,7 @@ struct StiffnessRow {
   double storage_step = 0, loss_step = 0;    ///< a unit of the last digit written, N/m, 0: unknown
 };
 
-struct Data {
+struct StiffnessTable {
   std::string file;                ///< as the user named it
   std::vector<StiffnessRow> rows;  ///< at least three, omega increasing
   bool has_errors = false;
@@ -47,9 +47,10 @@ std::optional<Punch> punch_of(const std::string& radius, const std::string& pois
 /// SI, and a note says so. Moduli ("storage [MPa]") are taken below the punch, which they need.
 /// Frequencies rise or fall throughout.
 /// Throws InputError with file and line.
-Data read_data(const std::string& file, const std::optional<Punch>& punch = {});
+StiffnessTable read_stiffness_table(const std::string& file,
+                                    const std::optional<Punch>& punch = {});
 /// The same from text.
-Data parse_data(const std::string& text, const std::string& file,
-                const std::optional<Punch>& punch = {});
+StiffnessTable parse_stiffness_table(const std::string& text, const std::string& file,
+                                     const std::optional<Punch>& punch = {});
 
-}  // namespace vcrit::fit
+}  // namespace vcrit

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
-namespace vcrit::fit {
+namespace vcrit {
 
 namespace {
 
@@ -50,4 +50,4 @@ std::vector<double> rounding_steps(const std::vector<std::string>& numbers) {
   return steps;
 }
 
-}  // namespace vcrit::fit
+}  // namespace vcrit

@@ -18,7 +18,6 @@ namespace {
 
 using namespace vcrit;
 using namespace std::complex_literals;
-using fit::Data;
 using fit::Fit;
 using fit::Interval;
 using fit::KnownStiffness;
@@ -58,7 +57,7 @@ Material one_branch(Deviates& deviates) {
 }
 
 struct Measured {
-  Data data;
+  StiffnessTable data;
   double noise = 0;
 };
 
@@ -151,7 +150,7 @@ BOOST_AUTO_TEST_CASE(intervals_hold_the_truth_of_one_branch) { check_intervals(o
 BOOST_AUTO_TEST_CASE(a_spring_without_visible_loss_has_an_interval_of_loss) {
   Deviates deviates(3);
   const Material spring = [](double) { return std::complex<double>(5e5, 0); };
-  Data data{"made", {}, false};
+  StiffnessTable data{"made", {}, false};
   for (int i = 0; i < 10; ++i)
     data.rows.push_back(
         {1.0 + i, 5e5 * (1 + 0.01 * deviates.normal()), 5e3 * deviates.normal(), 0, 0});
@@ -173,7 +172,7 @@ BOOST_AUTO_TEST_CASE(losses_beyond_two_deviations_are_kept) {
   for (int set = 0; set < 300; ++set) {
     const Material material = level_spectrum(deviates);
     const double decades = deviates.between(0.5, 4), noise = deviates.between(0.01, 0.03);
-    Data data{"made", {}, set % 2 == 1};
+    StiffnessTable data{"made", {}, set % 2 == 1};
     const int rows = 3 + set % 4;
     for (int i = 0; i < rows; ++i) {
       const double omega = std::pow(10, decades * (static_cast<double>(i) / (rows - 1) - 0.5));
@@ -182,7 +181,7 @@ BOOST_AUTO_TEST_CASE(losses_beyond_two_deviations_are_kept) {
       const double storage = k.real() + error * deviates.normal();
       data.rows.push_back({omega, storage, k.imag() + error * deviates.normal(), error, error});
     }
-    const auto below = [](const fit::StiffnessRow& row) { return row.loss < 0; };
+    const auto below = [](const StiffnessRow& row) { return row.loss < 0; };
     if (!fit::shows_loss(data) || std::any_of(data.rows.begin(), data.rows.end(), below)) continue;
     ++seen;
     const Fit fit = fit::fitted(data);
@@ -201,7 +200,7 @@ BOOST_AUTO_TEST_CASE(three_exact_rows_are_met) {
   for (int set = 0; set < 200; ++set) {
     const Material material = set % 2 == 0 ? level_spectrum(deviates) : andrade(deviates);
     const double step = std::pow(10, deviates.between(0.3, 0.7));
-    Data data{"made", {}, false};
+    StiffnessTable data{"made", {}, false};
     for (const double omega : {1 / step, 1.0, step}) {
       const std::complex<double> k = material(omega);
       data.rows.push_back({omega, k.real(), k.imag(), 0, 0});
@@ -216,7 +215,7 @@ BOOST_AUTO_TEST_CASE(three_exact_rows_are_met) {
 // s, twelve a decade) has a loss of 6.5e6 N/m at 189511 Hz and misses the rows by 2.2e-5 of |K|,
 // where 1.7e-4 are allowed; beyond 6.6e6 the misfit rises by a factor of a thousand.
 BOOST_AUTO_TEST_CASE(an_interval_reaches_as_far_as_series_do) {
-  Data data{"made", {}, false};
+  StiffnessTable data{"made", {}, false};
   constexpr double turn = 2 * std::numbers::pi;
   data.rows = {{turn * 7.315361780683243, 2357209.546363666, 393.5054588158655, 0, 0},
                {turn * 2433.202903725125, 2378342.0575054227, 135589.7917397931, 0, 0},

@@ -13,7 +13,6 @@ BOOST_AUTO_TEST_SUITE(test_few_rows)
 namespace {
 
 using namespace vcrit;
-using fit::Data;
 using fit::Fit;
 using test::Deviates;
 
@@ -23,8 +22,8 @@ struct FewRowsTable {
   double noise;  // of |K|, in each component
 };
 
-Data table_of(const Relaxation& truth, const FewRowsTable& table, Deviates& deviates) {
-  Data data{"made", {}, false};
+StiffnessTable table_of(const Relaxation& truth, const FewRowsTable& table, Deviates& deviates) {
+  StiffnessTable data{"made", {}, false};
   for (int i = 0; i < table.rows; ++i) {
     const double omega = table.lowest * std::pow(table.highest / table.lowest,
                                                  static_cast<double>(i) / (table.rows - 1));
@@ -142,7 +141,7 @@ BOOST_AUTO_TEST_CASE(the_usual_noise_helps_where_few_rows_cannot_tell) {
 // Losses of 1, 2 and 3 % of |K| (0.0100, 0.0200, 0.0300): mean 0.02, standard error 0.01/sqrt(3), t
 // of 3.4641, whose chance for two degrees is 1/2 - t/(2 sqrt(2 + t^2)).
 BOOST_AUTO_TEST_CASE(a_mean_loss_is_judged_by_student) {
-  Data data{"made", {}, false};
+  StiffnessTable data{"made", {}, false};
   for (const double part : {0.01, 0.02, 0.03})
     data.rows.push_back({1 + part, std::sqrt(1 - part * part), part, 0, 0});
   const double t = 2 * std::sqrt(3);

@@ -15,7 +15,6 @@ BOOST_AUTO_TEST_SUITE(test_fit)
 namespace {
 
 using namespace vcrit;
-using fit::Data;
 using fit::Fit;
 using Stiffness = std::function<std::complex<double>(double)>;
 
@@ -36,10 +35,10 @@ class Noise {
 };
 
 // Each component off by `noise` times |K|; with `stated` that many times the true errors are given.
-Data measured(const Stiffness& stiffness, double from, double to, int count, double noise,
-              unsigned seed, double stated = 0) {
+StiffnessTable measured(const Stiffness& stiffness, double from, double to, int count, double noise,
+                        unsigned seed, double stated = 0) {
   Noise deviate(seed);
-  Data data{"made", {}, stated > 0};
+  StiffnessTable data{"made", {}, stated > 0};
   for (int i = 0; i < count; ++i) {
     const double omega = from * std::pow(to / from, static_cast<double>(i) / (count - 1));
     const std::complex<double> k = stiffness(omega);
@@ -259,14 +258,14 @@ BOOST_AUTO_TEST_CASE(the_tail_of_a_loss_is_kept) {
 }
 
 BOOST_AUTO_TEST_CASE(noise_below_zero_is_fitted_and_more_is_refused) {
-  Data data = measured(three, 1, 1e7, 20, 0.003, 1);
+  StiffnessTable data = measured(three, 1, 1e7, 20, 0.003, 1);
   data.rows[0].loss = -0.002 * data.rows[0].storage;
   BOOST_TEST(fit::fitted(data).branches.size() == 3U);
   data.rows[0].loss = -0.05 * data.rows[0].storage;
   BOOST_CHECK_THROW(fit::fitted(data), InputError);
   // The other sign of i: all losses negative.
-  Data conjugate = measured(Truth{1e6, {{5e4, 1e-2}}}, 10, 1000, 6, 0.001, 1);
-  for (fit::StiffnessRow& row : conjugate.rows) row.loss = -row.loss;
+  StiffnessTable conjugate = measured(Truth{1e6, {{5e4, 1e-2}}}, 10, 1000, 6, 0.001, 1);
+  for (StiffnessRow& row : conjugate.rows) row.loss = -row.loss;
   BOOST_CHECK_THROW(fit::fitted(conjugate), InputError);
 }
 

@@ -14,10 +14,9 @@ BOOST_AUTO_TEST_SUITE(test_scene_text)
 namespace {
 
 using namespace vcrit;
-using fit::Data;
 using fit::Fit;
 
-const Data data{"folder/pad.csv", {{10, 1, 1, 0, 0}, {1000, 2, 1, 0, 0}}, false};
+const StiffnessTable data{"folder/pad.csv", {{10, 1, 1, 0, 0}, {1000, 2, 1, 0, 0}}, false};
 
 Fit series(std::optional<double> k0, std::optional<double> c0,
            const std::vector<std::pair<double, double>>& branches) {
@@ -80,7 +79,7 @@ BOOST_AUTO_TEST_CASE(the_rest_is_symbols_until_it_is_given) {
   BOOST_TEST(std::abs(tangential_ratio(std::get<Isotropic>(full.tangential)) - 0.75) < 1e-15);
   rest.frequency = "20 mm";
   BOOST_CHECK_THROW(scene_text(fit, data, rest), InputError);
-  const Data odd{"a\nb\".csv", data.rows, false};
+  const StiffnessTable odd{"a\nb\".csv", data.rows, false};
   parse_scene(scene_text(fit, odd, {}), "s.toml");
 }
 

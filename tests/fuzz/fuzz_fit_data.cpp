@@ -11,17 +11,17 @@ using namespace vcrit;
 
 namespace {
 
-std::string line_of(const fit::StiffnessRow& row, bool errors) {
+std::string line_of(const StiffnessRow& row, bool errors) {
   std::string line = to_text(row.omega) + "," + to_text(row.storage) + "," + to_text(row.loss);
   if (errors) line += "," + to_text(row.storage_error) + "," + to_text(row.loss_error);
   return line + "\n";
 }
 
-void check_row(const fit::StiffnessRow& row, bool errors) {
+void check_row(const StiffnessRow& row, bool errors) {
   fuzz::check(std::isfinite(row.omega) && row.omega > 0, "omega is finite and above 0");
   fuzz::check(std::isfinite(row.storage) && std::isfinite(row.loss), "both parts are finite");
   fuzz::check(row.storage != 0 || row.loss != 0, "one of them is not 0");
-  const double least = -fit::noise_below_zero * std::hypot(row.storage, row.loss);
+  const double least = -noise_below_zero * std::hypot(row.storage, row.loss);
   fuzz::check(errors || std::min(row.storage, row.loss) >= least, "no more than noise is below 0");
   if (!errors) return;
   fuzz::check(std::isfinite(row.storage_error) && row.storage_error > 0, "an error is above 0");
@@ -32,8 +32,8 @@ void check_row(const fit::StiffnessRow& row, bool errors) {
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::answered([&] {
-    const fit::Data table = fit::parse_data(fuzz::text_of(data, size), "data.csv");
-    fuzz::check(table.rows.size() >= fit::least_rows, "a table has three rows");
+    const StiffnessTable table = parse_stiffness_table(fuzz::text_of(data, size), "data.csv");
+    fuzz::check(table.rows.size() >= least_rows, "a table has three rows");
     std::string text = "angular_frequency,storage,loss";
     text += table.has_errors ? ",storage_error,loss_error\n" : "\n";
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
@@ -42,7 +42,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
       text += line_of(table.rows[i], table.has_errors);
     }
     std::string again;
-    for (const fit::StiffnessRow& row : fit::parse_data(text, "again.csv").rows)
+    for (const StiffnessRow& row : parse_stiffness_table(text, "again.csv").rows)
       again += line_of(row, table.has_errors);
     fuzz::check(text.ends_with(again), "a table reads back");
   });

@@ -12,13 +12,11 @@
 BOOST_AUTO_TEST_SUITE(test_stiffness_data)
 
 using namespace vcrit;
-using fit::Data;
-using fit::parse_data;
 
 namespace {
 
 std::string message(const std::string& text) {
-  return test::refusal([&] { parse_data(text, "d.csv"); });
+  return test::refusal([&] { parse_stiffness_table(text, "d.csv"); });
 }
 
 // A few roundings of the unit's factor and of 2 pi.
@@ -33,7 +31,7 @@ constexpr const char* columns =
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(units_stand_in_the_header) {
-  const Data data = parse_data(
+  const StiffnessTable data = parse_stiffness_table(
       "Loss [N/mm], \"Frequency (kHz)\" ,storage (MN/m),Loss Error [N/mm],storage_error\n"
       "2,1,3,0.5,7\n4,2,5,0.25,8\n8,3,5,0.25,8\n",
       "d.csv");
@@ -51,26 +49,29 @@ BOOST_AUTO_TEST_CASE(units_stand_in_the_header) {
 }
 
 BOOST_AUTO_TEST_CASE(bare_numbers_are_si_and_frequencies_may_fall) {
-  const Data data = parse_data("angular_frequency,storage,loss\n30,3,0\n20,2,1\n10,0,2\n", "d.csv");
+  const StiffnessTable data =
+      parse_stiffness_table("angular_frequency,storage,loss\n30,3,0\n20,2,1\n10,0,2\n", "d.csv");
   BOOST_TEST(!data.has_errors);
   BOOST_TEST(data.rows[0].omega == 10);
   BOOST_TEST(data.rows[0].storage == 0);
   BOOST_TEST(data.rows[2].omega == 30);
   BOOST_TEST(data.rows[2].loss == 0);
-  BOOST_TEST(parse_data("angular_frequency (rad/s),storage,loss\n1,1,1\n2,2,2\n3,2,2\n", "d")
-                 .rows[1]
-                 .omega == 2);
+  BOOST_TEST(
+      parse_stiffness_table("angular_frequency (rad/s),storage,loss\n1,1,1\n2,2,2\n3,2,2\n", "d")
+          .rows[1]
+          .omega == 2);
   BOOST_TEST(
       data.notes.front().starts_with("the header gives no units, taken were: "
                                      "angular_frequency in rad/s, storage in N/m, loss in "
                                      "N/m;"));
   BOOST_TEST(data.notes.front().ends_with("and those of moduli, \"storage [MPa]\""));
-  BOOST_TEST(parse_data("frequency [Hz],storage [N/m],loss [N/m]\n1,1,1\n2,2,2\n3,2,2\n", "d")
-                 .notes.empty());
+  BOOST_TEST(
+      parse_stiffness_table("frequency [Hz],storage [N/m],loss [N/m]\n1,1,1\n2,2,2\n3,2,2\n", "d")
+          .notes.empty());
 }
 
 BOOST_AUTO_TEST_CASE(noise_below_zero_is_noted) {
-  const Data data = parse_data(
+  const StiffnessTable data = parse_stiffness_table(
       "frequency [Hz],storage [N/m],loss [N/m]\n1,6,0.1\n2,6,-0.0004\n3,6,0.2\n", "d.csv");
   BOOST_TEST(data.rows[1].loss == -0.0004);
   BOOST_TEST_REQUIRE(data.notes.size() == 1U);
@@ -84,14 +85,16 @@ BOOST_AUTO_TEST_CASE(noise_below_zero_is_noted) {
   const std::string errors = "frequency,storage,loss,storage_error,loss_error\n";
   BOOST_TEST(message(errors + "1,6,-0.5,1,0.1\n") ==
              "d.csv:2: found loss = -0.5 N/m; expected a loss stiffness of at least 0");
-  BOOST_TEST(parse_data(errors + "1,6,-0.3,1,0.1\n2,6,1,1,1\n3,6,1,1,1\n", "d").rows.size() == 3U);
+  BOOST_TEST(
+      parse_stiffness_table(errors + "1,6,-0.3,1,0.1\n2,6,1,1,1\n3,6,1,1,1\n", "d").rows.size() ==
+      3U);
 }
 
 // A flat punch: k = 2 a E/(1 - nu^2), with a = 0.5 mm and nu = 0.4 E of 1 MPa is 1e3/0.84 N/m.
 BOOST_AUTO_TEST_CASE(moduli_are_taken_below_a_punch) {
-  const fit::Punch punch{5e-4, 0.4};
-  const Data data =
-      parse_data("f [Hz],E' [MPa],Tan Delta\n1,84,0.5\n2,168,0.25\n3,170,0.1\n", "d.csv", punch);
+  const Punch punch{5e-4, 0.4};
+  const StiffnessTable data = parse_stiffness_table(
+      "f [Hz],E' [MPa],Tan Delta\n1,84,0.5\n2,168,0.25\n3,170,0.1\n", "d.csv", punch);
   BOOST_TEST(close(data.rows[0].storage, 1e5));
   BOOST_TEST(close(data.rows[0].loss, 5e4));
   BOOST_TEST(close(data.rows[1].loss, 5e4));
@@ -103,7 +106,7 @@ BOOST_AUTO_TEST_CASE(moduli_are_taken_below_a_punch) {
              "moduli, times 1.19 mm: below a flat punch of radius 500 µm with nu = 0.4 the "
              "stiffness is 2 a E/(1 - nu^2)");
   const auto refused = [&](const std::string& text) {
-    return test::refusal([&] { parse_data(text, "d.csv", punch); });
+    return test::refusal([&] { parse_stiffness_table(text, "d.csv", punch); });
   };
   BOOST_TEST(refused("f [Hz],storage [MPa],loss [N/um]\n") ==
              "d.csv:1: found loss as a stiffness beside a modulus; expected moduli or stiffnesses "
@@ -196,13 +199,13 @@ BOOST_AUTO_TEST_CASE(the_last_digit_is_read_from_the_text) {
     for (std::size_t i = 0; i < found.size(); ++i)
       BOOST_TEST(std::abs(found[i] / expected[i] - 1) < 1e-14);
   };
-  same(fit::rounding_steps({"12.34", "0.05", "-7.80"}), {0.01, 0.01, 0.01});
-  same(fit::rounding_steps({"1.23", "1.2", "12.3", "0.0123"}), {0.01, 0.01, 0.1, 1e-4});
-  same(fit::rounding_steps({"1.20e+06", "3.1E5", "250e3"}), {1e4, 1e3, 1e3});
-  same(fit::rounding_steps({"0", "0.5", "1.25"}), {0.01, 0.01, 0.01});
-  const fit::Data data =
-      fit::parse_data("frequency,storage [N/um],loss\n3,1.25,7\n2,1.5,12\n1,1.75,8\n", "d.csv");
-  for (const fit::StiffnessRow& row : data.rows) {
+  same(rounding_steps({"12.34", "0.05", "-7.80"}), {0.01, 0.01, 0.01});
+  same(rounding_steps({"1.23", "1.2", "12.3", "0.0123"}), {0.01, 0.01, 0.1, 1e-4});
+  same(rounding_steps({"1.20e+06", "3.1E5", "250e3"}), {1e4, 1e3, 1e3});
+  same(rounding_steps({"0", "0.5", "1.25"}), {0.01, 0.01, 0.01});
+  const StiffnessTable data = parse_stiffness_table(
+      "frequency,storage [N/um],loss\n3,1.25,7\n2,1.5,12\n1,1.75,8\n", "d.csv");
+  for (const StiffnessRow& row : data.rows) {
     BOOST_TEST(std::abs(row.storage_step / 1e4 - 1) < 1e-14);
     BOOST_TEST(row.loss_step == 1);
   }

@@ -21,21 +21,21 @@ constexpr int points_of_line = 300;  // smooth to the eye
 enum Colour { storage_colour = 0, loss_colour = 1 };
 
 /// One unit for all stiffnesses of a page, that of the largest storage.
-UnitScale stiffness_scale(const fit::Data& data) {
+UnitScale stiffness_scale(const StiffnessTable& data) {
   double largest = 0;
-  for (const fit::StiffnessRow& row : data.rows) largest = std::max(largest, row.storage);
+  for (const StiffnessRow& row : data.rows) largest = std::max(largest, row.storage);
   return scale_for(largest, "N/m");
 }
 
-FigureSeries measured_series(const fit::Data& data, const char* name,
-                             double fit::StiffnessRow::*part, int colour, double unit) {
+FigureSeries measured_series(const StiffnessTable& data, const char* name,
+                             double StiffnessRow::*part, int colour, double unit) {
   FigureSeries series{name, Style::circles, {}, colour};
-  for (const fit::StiffnessRow& row : data.rows)
+  for (const StiffnessRow& row : data.rows)
     if (row.*part > 0) series.points.push_back({row.omega / two_pi, unit * row.*part, ""});
   return series;
 }
 
-FigureSeries fitted_series(const fit::Data& data, const Relaxation& form, const char* name,
+FigureSeries fitted_series(const StiffnessTable& data, const Relaxation& form, const char* name,
                            bool storage, double unit) {
   FigureSeries series{name, Style::line, {}, storage ? storage_colour : loss_colour};
   const double from = data.rows.front().omega, to = data.rows.back().omega;
@@ -47,7 +47,7 @@ FigureSeries fitted_series(const fit::Data& data, const Relaxation& form, const 
   return series;
 }
 
-Figure stiffness(const fit::Data& data, const fit::Fit& fit) {
+Figure stiffness(const StiffnessTable& data, const fit::Fit& fit) {
   Figure figure;
   figure.name = "stiffness";
   figure.title = "Storage and loss stiffness, measured and fitted";
@@ -55,26 +55,25 @@ Figure stiffness(const fit::Data& data, const fit::Fit& fit) {
   figure.x = {"frequency, Hz", true, {}, {}};
   const auto [unit, name] = stiffness_scale(data);
   figure.y = {"stiffness, " + name, true, {}, {}};
-  figure.series = {
-      fitted_series(data, fit.series, "storage", true, unit),
-      fitted_series(data, fit.series, "loss", false, unit),
-      measured_series(data, "storage", &fit::StiffnessRow::storage, storage_colour, unit),
-      measured_series(data, "loss", &fit::StiffnessRow::loss, loss_colour, unit)};
+  figure.series = {fitted_series(data, fit.series, "storage", true, unit),
+                   fitted_series(data, fit.series, "loss", false, unit),
+                   measured_series(data, "storage", &StiffnessRow::storage, storage_colour, unit),
+                   measured_series(data, "loss", &StiffnessRow::loss, loss_colour, unit)};
   return figure;
 }
 
 // What the fit weighed it by: the given error, else one per cent of |K|.
-double unit_of(const fit::StiffnessRow& row, bool errors, bool storage) {
+double unit_of(const StiffnessRow& row, bool errors, bool storage) {
   if (errors) return storage ? row.storage_error : row.loss_error;
   return std::hypot(row.storage, row.loss) / 100;
 }
 
-FigureSeries left(const fit::Data& data, const fit::Fit& fit, bool storage) {
+FigureSeries left(const StiffnessTable& data, const fit::Fit& fit, bool storage) {
   FigureSeries series{storage ? "storage" : "loss",
                       storage ? Style::circles : Style::crosses,
                       {},
                       storage ? storage_colour : loss_colour};
-  for (const fit::StiffnessRow& row : data.rows) {
+  for (const StiffnessRow& row : data.rows) {
     const std::complex<double> difference =
         std::complex<double>(row.storage, row.loss) - dynamic_stiffness(fit.series, row.omega);
     const double part = storage ? difference.real() : difference.imag();
@@ -84,7 +83,7 @@ FigureSeries left(const fit::Data& data, const fit::Fit& fit, bool storage) {
   return series;
 }
 
-Figure residuals(const fit::Data& data, const fit::Fit& fit) {
+Figure residuals(const StiffnessTable& data, const fit::Fit& fit) {
   Figure figure;
   figure.name = "residuals";
   figure.title = "Residuals";
@@ -103,7 +102,7 @@ Figure residuals(const fit::Data& data, const fit::Fit& fit) {
   return figure;
 }
 
-Figure spectrum(const fit::Data& data, const fit::Fit& fit) {
+Figure spectrum(const StiffnessTable& data, const fit::Fit& fit) {
   Figure figure;
   figure.name = "branches";
   figure.title = "Relaxation spectrum";
@@ -142,7 +141,7 @@ Figure spectrum(const fit::Data& data, const fit::Fit& fit) {
 
 }  // namespace
 
-std::vector<figures::Figure> fit_figures(const fit::Data& data, const fit::Fit& fit) {
+std::vector<figures::Figure> fit_figures(const StiffnessTable& data, const fit::Fit& fit) {
   std::vector<Figure> list{stiffness(data, fit), residuals(data, fit)};
   if (!fit.branches.empty()) list.push_back(spectrum(data, fit));
   return list;

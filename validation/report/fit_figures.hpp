@@ -9,6 +9,6 @@
 namespace vcrit::validation::report {
 
 /// Storage and loss; residuals; relaxation spectrum (with branches only).
-std::vector<figures::Figure> fit_figures(const fit::Data& data, const fit::Fit& fit);
+std::vector<figures::Figure> fit_figures(const StiffnessTable& data, const fit::Fit& fit);
 
 }  // namespace vcrit::validation::report

@@ -12,7 +12,7 @@ namespace vcrit::validation::report {
 
 /// What was found and written, for the page and for --json.
 struct FitContents {
-  fit::Data data;
+  StiffnessTable data;
   fit::Fit fit;
   std::vector<fit::KnownStiffness> known;
   std::vector<std::string> words;  ///< fit::in_words(), with arguments as its readers know them
