@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -119,6 +120,7 @@ class Cycle {
   }
 
   bool search() {
+    known_ = false;
     double least = infinity;
     for (int i = 0, no_better = 0; i < most_newton_steps && no_better < 3; ++i) {
       const std::optional<State> next = after(body_);
@@ -141,21 +143,26 @@ class Cycle {
     return least <= far_enough * tolerance_;
   }
 
+  // The map that was found last does for what a nudge of it would not see.
   std::optional<State> newton_step(const State& defect, const State& next) {
     const Eigen::Index n = defect.size() - first_;
     State step = State::Zero(defect.size());
     if (n <= 0) return step;
-    Eigen::MatrixXd map(n, n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      constexpr double nudge = 1e-6;  // the root of what a period is right to
-      State moved = body_;
-      moved(first_ + i) += nudge;
-      const std::optional<State> found = after(moved);
-      if (!found) return std::nullopt;
-      map.col(i) = -(*found - next).tail(n) / nudge;
-      map(i, i) += 1;
+    if (!known_ || defect.lpNorm<Eigen::Infinity>() > far_enough * tolerance_) {
+      Eigen::MatrixXd map(n, n);
+      for (Eigen::Index i = 0; i < n; ++i) {
+        constexpr double nudge = 1e-6;  // the root of what a period is right to
+        State moved = body_;
+        moved(first_ + i) += nudge;
+        const std::optional<State> found = after(moved);
+        if (!found) return std::nullopt;
+        map.col(i) = -(*found - next).tail(n) / nudge;
+        map(i, i) += 1;
+      }
+      map_.compute(map);
+      known_ = true;
     }
-    step.tail(n) = map.partialPivLu().solve(defect.tail(n));
+    step.tail(n) = map_.solve(defect.tail(n));
     lever_ = std::max(1.0, step.lpNorm<Eigen::Infinity>() / defect.lpNorm<Eigen::Infinity>());
     return step;
   }
@@ -165,6 +172,8 @@ class Cycle {
   RimMotion periods_, trial_;
   Eigen::Index first_;
   double tolerance_;
+  bool known_ = false;
+  Eigen::PartialPivLU<Eigen::MatrixXd> map_;
   double phase_ = 0, impulse_ = 0, open_ = 0, lever_ = 1;
   State body_;
   Shown shown_;

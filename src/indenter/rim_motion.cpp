@@ -259,7 +259,11 @@ void RimMotion::change() {
   }
   const int d = direction();
   const RimMode other = d > 0 ? RimMode::backward : RimMode::forward;
-  const auto least = std::min_element(margin.begin(), margin.end()) - margin.begin();
+  auto least = std::min_element(margin.begin(), margin.end()) - margin.begin();
+  // Cells that slid together before do so again all at once: then the layer is used up and no rim
+  // is left, and rounding would decide which of the two is seen first.
+  if (least == 2 && margin[1] <= no_time * std::max(1.0, std::abs(level(t_, state_(place_), d))))
+    least = 1;
   if (least == 1) {
     layers_.pop_back();
     if (clear()) now_clear();

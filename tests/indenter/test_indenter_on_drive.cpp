@@ -175,6 +175,24 @@ BOOST_AUTO_TEST_CASE(a_rim_slides_back) {
              int(simulation::Regime::stick_slip_backslip_separated));
 }
 
+// On a soft drive with losses, cells that slid back together turn as one: at the instant at which
+// their layer is used up no rim is left, either.
+BOOST_AUTO_TEST_CASE(cells_that_slid_together_turn_together) {
+  const Case soft{0.18, 0.2, 0.33, 0.34};
+  const HalfSpace half_space = held(soft);
+  const double critical = rim_threshold(half_space).drive_velocity;
+  double before = 0;
+  for (int i = 1; i <= 60; ++i) {
+    const Friction found = friction(half_space, critical * i / 61);
+    BOOST_TEST(found.ratio >= before - found.error);
+    before = found.ratio;
+  }
+  for (const double share : {0.1, 0.4}) {
+    const Witness cells = by_cells(soft, share * critical, 200, 4000, 60);
+    BOOST_TEST(std::abs(friction(half_space, share * critical).ratio - cells.ratio) < 3e-5);
+  }
+}
+
 // A stiffer drive leads to the cells under a rigid one, in proportion to 1/k_d. The reference has
 // 17 digits, from closed forms of the cells, at half the v* of a rigid drive.
 BOOST_AUTO_TEST_CASE(a_stiff_drive_is_rigid) {
