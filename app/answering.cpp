@@ -54,7 +54,7 @@ Refusal no_friction(const Problem& problem) {
 Refusal no_design(const Problem& problem) {
   const Problem still = problem.with({{problem->amplitude.symbol, 0}});
   return first_refusal(refusal_by(rules::Question::mean_load, still),
-                       [&] { return refusal_by(rules::Question::motion, still); });
+                       [&] { return no_motion(still); });
 }
 
 Refusal no_evaluator(const Problem& problem) {

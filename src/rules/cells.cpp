@@ -55,7 +55,7 @@ constexpr Cell never_closed =
     refused("without an indentation {u_z0} the contact opens at every amplitude");
 // What keeps a contact closed that must not open, and what lets it.
 constexpr const char* let_it_open =
-    "take an amplitude below {closed}, or let the contact open: separation = true in [contact]";
+    "take {what_keeps_it_closed}, or let the contact open: separation = true in [contact]";
 constexpr Cell too_large = refused(
     "the amplitude {du_z} = {amplitude} is not below the indentation {u_z0} = {indentation} "
     "(Eq. 3)",
@@ -81,7 +81,7 @@ constexpr Cell opens_at_tip =
 constexpr Cell sinks_opening = refused(
     "the contact opens (separation = true) and its normal network creeps, K_n(0) = 0: under a load "
     "it sinks for ever, so it has no mean depth",
-    "take an amplitude below {closed}, or add a spring in parallel to the normal network");
+    "take {what_keeps_it_closed}, or add a spring in parallel to the normal network");
 
 // Height and force of a contact that opens below a mount.
 constexpr Cell mounted = refused(

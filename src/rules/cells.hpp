@@ -7,8 +7,8 @@
 namespace vcrit::rules {
 
 /// {du_z}, {u_z0}, {mu0} are names; {amplitude} and {indentation} are in m, {oscillating} and
-/// {mean} in N, {load} the formula of {mean}, {share} is one over the other, {closed} the amplitude
-/// up to which the contact stays closed.
+/// {mean} in N, {load} the formula of {mean}, {share} is one over the other,
+/// {what_keeps_it_closed} "an amplitude below 0.2 µm", or what else does.
 struct Cell {
   Ruling verdict = Ruling::unset;
   const char* reason = "";

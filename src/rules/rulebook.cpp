@@ -26,6 +26,14 @@ double closed_below(const Facts& facts) {
   return std::min(indentation, by_force);
 }
 
+// Under a load the depth depends on the amplitude, and may be one above the surface.
+std::string what_keeps_it_closed(const Facts& facts) {
+  const double amplitude = closed_below(facts);
+  if (amplitude > 0) return "an amplitude below " + rounded_down(amplitude, "m");
+  return fmt::format("a smaller amplitude or a larger {}",
+                     facts.problem()->load ? "load" : "indentation");
+}
+
 /// What makes the mean force of a closed contact.
 std::string load_words(const Problem& problem) {
   const std::string name = name_in(problem, pressing(problem));
@@ -47,8 +55,7 @@ std::string filled(const std::string& pattern, const Facts& facts) {
       fmt::arg("mu0", name_in(problem, problem->coefficient)),
       fmt::arg("amplitude", amplitude_words), fmt::arg("indentation", indentation_words),
       fmt::arg("load", load_words(problem)), fmt::arg("oscillating", oscillating_words),
-      fmt::arg("mean", mean_words),
-      fmt::arg("closed", rounded_down(std::max(0.0, closed_below(facts)), "m")),
+      fmt::arg("mean", mean_words), fmt::arg("what_keeps_it_closed", what_keeps_it_closed(facts)),
       fmt::arg("share", rounded(oscillating / mean, "")));
 }
 

@@ -83,6 +83,13 @@ class Check(Case):
         self.assertNotIn("  not critical", told)
         self.assertIn("  validate leaves out the stability maps: available only for networks of springs and dampers, without masses or tables", told)
 
+    def test_indenters(self):
+        told = self.out("check", example("sphere"), example("leaf_spring"))
+        self.assertIn(f"{example('sphere')}: no problems; these commands answer: derive, eval, generate, simulate, "
+                      "critical, plot, sweep, solve, validate\n", told)
+        self.assertIn(f"{example('leaf_spring')}: no problems; these commands answer: eval, simulate, plot, sweep, solve, "
+                      "validate\n", told)
+
     def test_outside_the_model(self):
         told = self.out("check", example("inadmissible"), status=3)
         self.assertIn("warning  outside the model: the contact opens", told)

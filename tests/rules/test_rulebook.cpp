@@ -62,7 +62,7 @@ Scene measured_pad() {
   scene.normal = Network{Element{ElementKind::measured, storage, loss_factor, rest}};
   scene.elements = {{storage, {}}, {loss_factor, {}}, {rest, 1}};
   scene.measured = {{storage, loss_factor, rest,
-                     std::make_shared<fit::Data>(fit::parse_data(
+                     std::make_shared<StiffnessTable>(parse_stiffness_table(
                          "omega,storage,loss\n0.5,1,0.1\n1,1,0.1\n2,1,0.1\n", "pad.csv"))}};
   return scene;
 }
@@ -330,6 +330,15 @@ BOOST_AUTO_TEST_CASE(numbers_stand_in_the_words) {
              "without an indentation u_z0 the contact carries no load");
   BOOST_TEST(words(Question::closed_amplitude, SceneKind::tapping) ==
              "without an indentation u_z0 the contact opens at every amplitude");
+}
+
+// So light that the mean depth lies above the surface, where no amplitude is below it.
+BOOST_AUTO_TEST_CASE(a_load_that_hardly_touches_has_to_be_larger) {
+  const Scene scene = scene_of({.rest = cone, .force = 1e-3});
+  BOOST_TEST(
+      answer(Question::motion_below_indenter, scene).advice ==
+      "take a smaller amplitude or a larger load, or let the contact open: separation = true "
+      "in [contact]");
 }
 
 // |K_n(i)| = |1 + i|, and (3) is W/K_n(0): nothing else is asked of an indentation.
