@@ -78,7 +78,7 @@ class Json(Case):
 
     def test_a_failure_of_the_model_and_of_the_command_line(self):
         told = self.failure("generate", example("separation"), "--out", "out", status=3)
-        self.assertIn("of the closed contact there is an evaluator", told["advice"])
+        self.assertIn("for an evaluator of the closed contact", told["advice"])
         self.assertTrue(told["message"].endswith(told["advice"]))
         self.assertIsNone(told["place"])
         for words in (["--frobnicate"], ["eval", KELVIN, "--frobnicate"], ["eval"], ["simulate", KELVIN]):

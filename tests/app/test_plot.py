@@ -76,7 +76,7 @@ class Plot(Case):
         self.refused(2, ["plot", ZENER, "--out", "picture.png"], 'found "picture.png"; expected a file ending in .svg or .pdf')
         self.refused(2, ["plot", ZENER, "--to", "-1 mm/s"], "expected a speed above 0")
         self.refused(3, ["plot", example("inadmissible"), "--out", "picture.svg"], "the contact opens")
-        self.refused(3, ["plot", SPHERE, "--of", "cycle", "--out", "picture.svg"], "below an indenter each place has a motion")
+        self.refused(3, ["plot", SPHERE, "--of", "cycle", "--out", "picture.svg"], "an indenter has no single contact motion")
         self.refused(2, ["plot", ZENER, "--out", "picture.pdf"], "gnuplot", env={"PATH": "/nonexistent"})
         self.assertEqual(list(self.folder.iterdir()), [])
 

@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(outside_the_model) {
   scene.coefficient.value.reset();
   BOOST_CHECK_THROW(HalfSpace{scene}, InputError);
   scene.indenter.reset();
-  BOOST_TEST(refused(scene, "no indenter"));
+  BOOST_TEST(refused(scene, "no [indenter]"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

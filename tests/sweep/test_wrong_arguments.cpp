@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(speeds_samples_and_cells) {
       "samples: found -1 points"));
   const indenter::HalfSpace sphere(shipped("sphere"));
   BOOST_TEST(refused([&] { indenter::pressed(sphere); }, "an indenter on a rigid drive"));
-  BOOST_TEST(refused([&] { sphere.cell_under(infinity); }, "a mean indentation of inf m"));
+  BOOST_TEST(refused([&] { sphere.cell_under(infinity); }, "a mean indentation of ∞ there"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

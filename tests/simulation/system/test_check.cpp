@@ -57,7 +57,7 @@ void check_refused(System system, const std::string& words, const Change& change
 BOOST_AUTO_TEST_CASE(numbers_of_a_closed_contact) {
   check_refused(good(), "normal_force_amplitude: found 8 N about a mean of 4 N",
                 [](System& s) { s.normal_force_amplitude = 8; });
-  check_refused(good(), "normal_force_amplitude: found nan",
+  check_refused(good(), "normal_force_amplitude: found not a number",
                 [](System& s) { s.normal_force_amplitude = NAN; });
   check_refused(good(), "mean_normal_force: found 0", [](System& s) { s.mean_normal_force = 0; });
   check_refused(good(), "omega: found -2", [](System& s) { s.omega = -2; });
