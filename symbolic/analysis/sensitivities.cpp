@@ -70,6 +70,7 @@ ex with_powers(const ex& polynomial) {
 
 /// The shorter of the expression and the same as one fraction.
 ex shorter_of(const ex& expression) {
+  if (expression.nops() == 0) return expression;
   const std::size_t length = to_text(expression).size();
   if (length > longest_joined_text) return expression;
   const ex fraction = expression.normal().numer_denom();
@@ -257,6 +258,7 @@ class SensitivitiesIn {
       : derivation_(derivation), ratio_(change.ratio ? names.ratio : std::nullopt) {
     of_chains_.ratio = change.ratio;
     if (!change.scale.empty()) letters_.push_back(*names.stiffness);
+    long_lines_ = has_long_lines(derivation);
     if (!has_fractions(derivation)) return;
     if (!ratio_ && letters_.empty())
       velocity_ = derivation.critical_velocity;
@@ -301,7 +303,7 @@ class SensitivitiesIn {
 
   Sensitivity along(const Symbol& parameter, const ex& x) {
     const Model& model = *derivation_.model;
-    if (has_long_lines(derivation_)) {
+    if (long_lines_) {
       if (!backwards_) backwards_.emplace(model, of_chains_);
       return backwards_->along(parameter, x);
     }
@@ -314,6 +316,7 @@ class SensitivitiesIn {
   Change of_chains_;            ///< without Z: definitions have the scene's symbols
   std::vector<Line> letters_;   ///< Z, where v* has it
   std::optional<ex> velocity_;  ///< where it is multiplied out
+  bool long_lines_ = false;
   std::optional<Backwards> backwards_;
   std::optional<Chain> chain_;
 };

@@ -98,7 +98,7 @@ Findings findings_of(const Problem& problem, const DocumentOptions& options) {
       findings.extrema = extrema_lines(derivation, readable_extrema);
   }
   if (options.sensitivities) {
-    findings.sensitivities = sensitivities(derivation);
+    if (options.format == Format::json) findings.sensitivities = sensitivities(derivation);
     findings.abbreviated.sensitivities = sensitivities(derivation, findings.abbreviated.names);
   }
   return findings;
