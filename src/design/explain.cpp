@@ -126,8 +126,7 @@ std::string too_fast_for_frequencies(const Failure& f) {
   if (finds_each_onset(f.question.problem))
     return fmt::format(
         "at {} friction stays full at every searched frequency ({}). It takes a lower velocity, "
-        "or "
-        "a larger amplitude",
+        "or a larger amplitude",
         speed_words(f.question), searched(f));
   const double limit = f.range.largest_velocity;
   const Problem there = with_angular_frequency(f.question.problem, two_pi * f.range.largest_at);
@@ -198,8 +197,7 @@ std::string ratio_over_velocities(const Failure& f) {
   if (creep_velocity(f.question.problem) > 0) return text;
   text += fmt::format(
       ". As the velocity vanishes it tends to the static limit {}, the least normal force over "
-      "its "
-      "mean",
+      "its mean",
       rounded(limit, ""));
   if (limit > f.question.friction_ratio) {
     const auto [needed, now] =

@@ -40,8 +40,7 @@ constexpr const char* rings =
 
 constexpr const char* nearly_rings =
     "body and drive swing freely at harmonic {} of the oscillation, within a part in 1e10: "
-    "rounding "
-    "decides how far";
+    "rounding decides how far";
 
 constexpr const char* without_bound =
     "where the indenter meets the surface its contact area grows like a root of time, and with it "

@@ -10,7 +10,8 @@ namespace vcrit::indenter {
 /// A body sliding for ever below a drive at rest, and the numbers that its motion has at phase 0.
 class Sliding {
  public:
-  /// Of no body that swings freely at a harmonic. Both are kept by reference.
+  /// Of a body that swings freely at a harmonic the normal force alone is right. Both are kept by
+  /// reference.
   Sliding(const ScaledContact& contact, const ScaledHolder& holder, double tolerance,
           SharedEffort* whole);
 

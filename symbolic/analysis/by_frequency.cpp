@@ -1,7 +1,6 @@
 #include "analysis/by_frequency.hpp"
 
 #include <map>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "formula/rational.hpp"
 #include "formula/symbols.hpp"
 #include "network/polynomial.hpp"
+#include "polynomial/network_polynomials.hpp"
 
 namespace vcrit::symbolic {
 
@@ -42,13 +42,7 @@ struct PolynomialAlgebra {
   using Value = Polynomial;
   const Ring& ring;
 
-  Value number(const GiNaC::numeric& integer) const {
-    std::ostringstream digits;
-    digits << integer;
-    Polynomial result(ring, 0);
-    result.add_term(digits.str(), std::vector<unsigned long>(ring.size()));
-    return result;
-  }
+  Value number(const GiNaC::numeric& integer) const { return integer_polynomial(ring, integer); }
   Value name(const std::string& name) const { return Polynomial::variable(ring, name); }
   static Value add(const Value& a, const Value& b) { return a + b; }
   static Value multiply(const Value& a, const Value& b) { return a * b; }

@@ -42,7 +42,7 @@ struct QuotientAlgebra {
   std::map<std::string, PolynomialQuotient> known;  ///< what is not a variable of the ring
 
   Value number(const GiNaC::numeric& value) const {
-    return {integer(value.numer()), integer(value.denom())};
+    return {integer_polynomial(ring, value.numer()), integer_polynomial(ring, value.denom())};
   }
   Value name(const std::string& name) const {
     const auto found = known.find(name);
@@ -70,15 +70,6 @@ struct QuotientAlgebra {
   Value series(const Value& a, const Value& b) const { return mesh(a, b, add(a, b)); }
   Value mesh(const Value& a, const Value& b, const Value& total) const {
     return multiply(multiply(a, b), turned_over(total));
-  }
-
- private:
-  Polynomial integer(const GiNaC::numeric& value) const {
-    std::ostringstream digits;
-    digits << value;
-    Polynomial result(ring, 0);
-    result.add_term(digits.str(), std::vector<unsigned long>(ring.size()));
-    return result;
   }
 };
 

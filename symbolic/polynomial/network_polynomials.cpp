@@ -142,7 +142,7 @@ class Expansion {
   }
   PolynomialQuotient constant(const TypedNumber& number) const {
     const GiNaC::numeric exact = exact_decimal(number.decimal);
-    return {integer(exact.numer()), integer(exact.denom())};
+    return {integer_polynomial(ring_, exact.numer()), integer_polynomial(ring_, exact.denom())};
   }
   static PolynomialQuotient plus(const PolynomialQuotient& a, const PolynomialQuotient& b) {
     return a + b;
@@ -160,13 +160,6 @@ class Expansion {
   }
 
  private:
-  Polynomial integer(const GiNaC::numeric& value) const {
-    std::ostringstream digits;
-    digits << value;
-    Polynomial result(ring_, 0);
-    result.add_term(digits.str(), std::vector<unsigned long>(ring_.size()));
-    return result;
-  }
   PolynomialQuotient operator()(const Element& element) const { return law(element, *this); }
   PolynomialQuotient operator()(const Series& series) const {
     const auto join = [](const PolynomialQuotient& a,
@@ -261,6 +254,14 @@ PolynomialQuotient stiffness(const Network& network, const Ring& ring) {
   if (common == 0) return k;
   return {k.over.without_power(own_name("s"), common),
           k.under.without_power(own_name("s"), common)};
+}
+
+Polynomial integer_polynomial(const Ring& ring, const GiNaC::numeric& integer) {
+  std::ostringstream digits;
+  digits << integer;
+  Polynomial result(ring, 0);
+  result.add_term(digits.str(), std::vector<unsigned long>(ring.size()));
+  return result;
 }
 
 }  // namespace vcrit::symbolic

@@ -4,6 +4,8 @@
 // terminals (Kirchhoff), as minors of the nodal matrix that are expanded without a division.
 #pragma once
 
+#include <ginac/ginac.h>
+
 #include "network/network.hpp"
 #include "network/polynomial.hpp"
 
@@ -18,5 +20,8 @@ TermNumbers term_numbers(const Network& network);
 
 /// The ring needs own_name("s") and the network's symbols. No factor is left that divides both.
 PolynomialQuotient stiffness(const Network& network, const Ring& ring);
+
+/// A whole number as a polynomial of the ring.
+Polynomial integer_polynomial(const Ring& ring, const GiNaC::numeric& integer);
 
 }  // namespace vcrit::symbolic
