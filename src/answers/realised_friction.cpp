@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/rounded.hpp"
+#include "linear/elimination.hpp"
 #include "realisation/realisation.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
@@ -36,8 +37,7 @@ constexpr double added_damping = 0.05;
 /// Of the contact alone, without what a structure has in series with it.
 Relaxation contact_of(const Problem& problem) {
   const ScaledNetwork tangential = tangential_network(problem);
-  return scaled(relaxation_form(tangential.network.network(), problem.values()),
-                tangential.factor);
+  return scaled(relaxation_form(tangential.network.network(), problem.values()), tangential.factor);
 }
 
 /// A number of the motion, with structures in place of the table.
@@ -105,7 +105,7 @@ class Sensitivity {
       const auto with = asked.with(plus_mode(realised.structure(), mode));
       moved[row] = with ? *with - number : std::numeric_limits<double>::infinity();
     }
-    if (moved.allFinite()) slope_ = changes.partialPivLu().solve(moved);
+    if (moved.allFinite()) slope_ = linear::Lu<double>(changes).solve(moved);
   }
 
   /// |s_n|; infinite where one of the structures has no steady state.
@@ -143,13 +143,14 @@ double change_by_hidden_mode(const Asked& asked, const Realisation& realised, do
   for (int n = 1; n <= harmonics; ++n) {
     const auto structure = realised.with_hidden_mode(n * omega);
     const auto with = structure ? asked.with(*structure) : std::nullopt;
-    sum += with ? std::abs(*with - number)
-                : sensitivity.at(n) * realised.deviation(n * omega).hidden;
+    sum +=
+        with ? std::abs(*with - number) : sensitivity.at(n) * realised.deviation(n * omega).hidden;
   }
   return sum;
 }
 
-// Found on the 82 chains of tests/data/two_mass_chains.csv, each as four tables (docs/simulation.md).
+// Found on the 82 chains of tests/data/two_mass_chains.csv, each as four tables
+// (docs/simulation.md).
 double error_by_fit(const Asked& asked, const Realisation& realised, double omega, double number) {
   constexpr double of_rivals = 2, of_noise = 4, of_misfit = 0.125;
   const Sensitivity sensitivity(asked, realised, omega, number);
@@ -199,8 +200,7 @@ RealisedVelocity realised_velocity(const Problem& problem) {
   const Complex contact = dynamic_stiffness(contact_of(problem), omega);
   const Complex r = realised->response(omega), free = 1.0 - mass * omega * omega * r;
   const double unit = system.friction * omega * std::abs(system.normal_force_amplitude);
-  const double off =
-      realised->error(omega) + std::abs(r - between_rows(*realised, table, omega));
+  const double off = realised->error(omega) + std::abs(r - between_rows(*realised, table, omega));
   return {unit * std::abs(1.0 / contact + r / free), unit * off / std::norm(free)};
 }
 
@@ -218,20 +218,19 @@ RealisedFriction realised_friction(const Problem& problem, double velocity) {
   const Receptance& table = *problem->receptance();
   const auto realised = realisation::realised(table, body_of(problem));
   const double omega = problem.value(problem->angular_frequency);
-  RealisedFriction found{.pairs = realised->pairs(),
-                         .misfit = realised->misfit(),
-                         .misfit_at_omega =
-                             realised->error(omega) / std::abs(realised->response(omega)),
-                         .critical_velocity = realised_threshold(problem),
-                         .outside = {},
-                         .warnings = realised->warnings()};
+  RealisedFriction found{
+      .pairs = realised->pairs(),
+      .misfit = realised->misfit(),
+      .misfit_at_omega = realised->error(omega) / std::abs(realised->response(omega)),
+      .critical_velocity = realised_threshold(problem),
+      .outside = {},
+      .warnings = realised->warnings()};
   for (int n = 1; n <= harmonics; ++n)
     if (realised->outside(n * omega)) found.outside.push_back(n);
   const Asked asked = friction_at(problem, velocity);
   const double ratio = asked.of_table();
   // More than that it cannot be off.
-  found.error =
-      std::min(error_by_fit(asked, *realised, omega, ratio), std::max(ratio, 1 - ratio));
+  found.error = std::min(error_by_fit(asked, *realised, omega, ratio), std::max(ratio, 1 - ratio));
   if (!found.outside.empty()) found.warnings.push_back(range_words(found, omega, table));
   return found;
 }
@@ -239,9 +238,10 @@ RealisedFriction realised_friction(const Problem& problem, double velocity) {
 std::vector<std::string> unstated_error(const Problem& problem) {
   const Receptance* table = problem->receptance();
   if (table == nullptr) return {};
-  return {fmt::format("{}: friction rests on a structure fitted to the table, and its error does not "
-                      "hold that of the fit; vcrit simulate states it at one speed",
-                      table->file)};
+  return {
+      fmt::format("{}: friction rests on a structure fitted to the table, and its error does not "
+                  "hold that of the fit; vcrit simulate states it at one speed",
+                  table->file)};
 }
 
 }  // namespace vcrit

@@ -1,6 +1,5 @@
 #include "fit/bounds.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -8,6 +7,7 @@
 #include "fit/nnls.hpp"
 #include "fit/refine.hpp"
 #include "fit/starts.hpp"
+#include "linear/orthogonal.hpp"
 
 namespace vcrit::fit {
 
@@ -68,10 +68,7 @@ class AnySeries {
     // Scaled to one length; and in the few directions that differ at all.
     size_ = columns.colwise().norm();
     columns = columns * size_.cwiseInverse().asDiagonal();
-    Eigen::ColPivHouseholderQR<MatrixXd> parts(columns);
-    parts.setThreshold(rank_cut);
-    const MatrixXd across =
-        (parts.householderQ() * MatrixXd::Identity(columns.rows(), parts.rank())).transpose();
+    const MatrixXd across = linear::PivotedQr(columns).range(rank_cut).transpose();
     matrix_ = across * columns;
     target_ = across * data.target();
     nearest_ = nonnegative_least_squares(matrix_, target_);

@@ -11,6 +11,7 @@
 #include "base/interruption.hpp"
 #include "base/rounded.hpp"
 #include "fit/starts.hpp"
+#include "linear/orthogonal.hpp"
 
 namespace vcrit::fit {
 
@@ -194,12 +195,7 @@ class Fitting {
 
   // One standard deviation of each logarithm, from the inverse of the normal matrix.
   VectorXd relative_errors() const {
-    const Index p = chosen_.slopes.cols();
-    const MatrixXd r = MatrixXd(chosen_.slopes.householderQr().matrixQR())
-                           .topRows(p)
-                           .triangularView<Eigen::Upper>();
-    const MatrixXd inverse = r.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(p, p));
-    return scale_of_errors() * inverse.rowwise().norm();
+    return scale_of_errors() * linear::Qr(chosen_.slopes).inverse_upper().rowwise().norm();
   }
 
   double rms_relative() const {

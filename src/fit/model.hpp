@@ -2,7 +2,7 @@
 //   K(i omega) = k0 + i omega c + sum_j k_j i omega tau_j/(1 + i omega tau_j)
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <complex>
 #include <functional>
 #include <optional>

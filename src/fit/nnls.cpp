@@ -6,6 +6,7 @@
 
 #include "base/constants.hpp"
 #include "base/interruption.hpp"
+#include "linear/orthogonal.hpp"
 
 namespace vcrit::fit {
 
@@ -57,7 +58,7 @@ class ActiveSet {
     MatrixXd columns(a_.rows(), static_cast<Index>(free_.size()));
     for (std::size_t i = 0; i < free_.size(); ++i)
       columns.col(static_cast<Index>(i)) = a_.col(free_[i]);
-    return columns.colPivHouseholderQr().solve(b_);
+    return linear::PivotedQr(columns).solve(b_);
   }
 
   // To the least squares of the free columns, binding again those that become 0 on the way. Where

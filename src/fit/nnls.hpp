@@ -2,7 +2,7 @@
 // Problems (1974), chapter 23, with a QR factorisation of the free columns in each step.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 namespace vcrit::fit {
 

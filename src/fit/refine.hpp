@@ -2,7 +2,7 @@
 // times and dampers by the Levenberg-Marquardt method of GSL.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <optional>
 
 #include "fit/model.hpp"

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linear/orthogonal.hpp"
+
 namespace vcrit::fit {
 
 namespace {
@@ -59,8 +61,8 @@ std::optional<Relaxation> merged(Relaxation spectrum, int branches) {
 std::optional<Relaxation> with_another_branch(const Weighed& data, const Terms& terms,
                                               const Refined& fit) {
   const VectorXd missing = -data.residual(fit.series);
-  MatrixXd across = MatrixXd::Identity(data.size(), fit.slopes.cols());
-  if (fit.slopes.cols() > 0) across = fit.slopes.householderQr().householderQ() * across;
+  const MatrixXd across =
+      fit.slopes.cols() > 0 ? linear::Qr(fit.slopes).basis() : MatrixXd(data.size(), 0);
   double best = 0, time = 0;
   for (const double candidate : grid_of_times(data)) {
     const VectorXd column = data.branch(candidate);

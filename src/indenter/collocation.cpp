@@ -12,6 +12,7 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
+#include "linear/elimination.hpp"
 #include "simulation/system/effort.hpp"
 
 namespace vcrit::indenter {
@@ -49,8 +50,8 @@ struct Scheme {
 
   Scheme() {
     find_nodes();
-    using Wide = Eigen::Matrix<long double, nodes_of_step, nodes_of_step>;
-    Wide powers, integrals, legendre;
+    using Wide = linear::Matrix<long double>;
+    Wide powers(nodes_of_step, nodes_of_step), integrals = powers, legendre = powers;
     for (int i = 0; i < nodes_of_step; ++i)
       for (int j = 0; j < nodes_of_step; ++j) {
         const long double c = nodes[static_cast<std::size_t>(i)];
@@ -58,9 +59,9 @@ struct Scheme {
         integrals(i, j) = std::pow(c, j + 1) / (j + 1);
         legendre(i, j) = shifted_legendre(j, c);
       }
-    const Wide inverse = powers.inverse();
+    const Wide inverse = linear::Lu<long double>(powers).inverse();
     to_stages = (integrals * inverse).cast<double>();
-    to_legendre = Wide(legendre.inverse()).cast<double>();
+    to_legendre = linear::Lu<long double>(legendre).inverse().cast<double>();
     Wide scaled = inverse;
     for (int j = 0; j < nodes_of_step; ++j) scaled.row(j) /= j + 1;
     to_powers = scaled.cast<double>();
@@ -106,12 +107,12 @@ struct Scheme {
       const Complex value = values[at] = 1.0 / Complex(poles[2 * at], poles[2 * at + 1]);
       Eigen::MatrixXcd shifted = to_stages.cast<Complex>();
       shifted.diagonal().array() -= value * (1 + 1e-10);
-      const Eigen::PartialPivLU<Eigen::MatrixXcd> factors(shifted);
+      const linear::Lu<Complex> factors(shifted);
       Eigen::VectorXcd vector = Eigen::VectorXcd::Ones(s);
       for (int i = 0; i < 3; ++i) vector = factors.solve(vector).normalized();
       vectors.col(k) = vector;
     }
-    const Eigen::MatrixXcd inverse = vectors.inverse();
+    const Eigen::MatrixXcd inverse = linear::Lu<Complex>(vectors).inverse();
     for (Eigen::Index k = 0; k < s; ++k) {
       const Complex value = values[static_cast<std::size_t>(k)];
       const double turn = std::arg(value);
@@ -184,7 +185,7 @@ bool Collocation::solve(double t, const State& x, double length) {
   const Scheme& radau = scheme();
   const Eigen::Index n = x.size();
   // A step's equations for all stages fall apart into those of the modes.
-  std::vector<Eigen::PartialPivLU<Eigen::MatrixXcd>> factors;
+  std::vector<linear::Lu<Complex>> factors;
   for (const Scheme::Mode& mode : radau.modes) {
     Eigen::MatrixXcd system = -length * mode.value * jacobian_;
     system.diagonal().array() += 1;
@@ -207,7 +208,7 @@ bool Collocation::solve(double t, const State& x, double length) {
     change_.setZero(n, nodes_of_step);
     for (std::size_t j = 0; j < factors.size(); ++j) {
       const Scheme::Mode& mode = radau.modes[j];
-      change_ += (factors[j].solve(residual_ * mode.part) * mode.vector).real();
+      change_ += (factors[j].solve(Eigen::VectorXcd(residual_ * mode.part)) * mode.vector).real();
     }
     stages_ += change_;
     const double size = length * change_.lpNorm<Eigen::Infinity>();

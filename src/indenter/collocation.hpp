@@ -3,7 +3,7 @@
 // a polynomial in time: it can be asked everywhere, for events and for what was before.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <functional>
 
 #include "base/effort.hpp"

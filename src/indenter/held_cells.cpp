@@ -5,6 +5,7 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
+#include "linear/orthogonal.hpp"
 #include "simulation/system/effort.hpp"
 
 namespace vcrit::indenter {
@@ -219,7 +220,7 @@ HeldCells::Steady HeldCells::steady(double velocity, double sliding, SharedEffor
         of_lack.col(j) = lacks[k + 1] - lacks[k];
         of_end.col(j) = ends[k + 1] - ends[k];
       }
-      const State guess = end - of_end * of_lack.colPivHouseholderQr().solve(lack);
+      const State guess = end - of_end * linear::PivotedQr(of_lack).solve(lack);
       result.open = std::max(result.open, size(guess - now));
       if (left_plain-- <= 0) next = guess;
     }

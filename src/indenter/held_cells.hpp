@@ -8,7 +8,7 @@
 // of rim.hpp.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <vector>
 
 #include "indenter/collocation.hpp"

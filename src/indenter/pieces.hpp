@@ -2,7 +2,7 @@
 // one polynomial is not enough.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <functional>
 #include <vector>
 

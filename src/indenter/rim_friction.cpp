@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -14,6 +14,7 @@
 #include "indenter/held_cells.hpp"
 #include "indenter/rim_motion.hpp"
 #include "indenter/rim_sliding.hpp"
+#include "linear/elimination.hpp"
 #include "simulation/system/system.hpp"
 
 namespace vcrit::indenter {
@@ -158,10 +159,10 @@ class Cycle {
         map.col(i) = -(*found - next).tail(n) / nudge;
         map(i, i) += 1;
       }
-      map_.compute(map);
+      map_ = linear::Lu<double>(map);
       known_ = true;
     }
-    step.tail(n) = map_.solve(defect.tail(n));
+    step.tail(n) = map_.solve(Eigen::VectorXd(defect.tail(n)));
     lever_ = std::max(1.0, step.lpNorm<Eigen::Infinity>() / defect.lpNorm<Eigen::Infinity>());
     return step;
   }
@@ -172,7 +173,7 @@ class Cycle {
   Eigen::Index first_;
   double tolerance_;
   bool known_ = false;
-  Eigen::PartialPivLU<Eigen::MatrixXd> map_;
+  linear::Lu<double> map_;
   double phase_ = 0, impulse_ = 0, open_ = 0, lever_ = 1;
   State body_;
   Shown shown_;

@@ -1,9 +1,10 @@
 #include "indenter/rim_sliding.hpp"
 
-#include <Eigen/SVD>
+#include <Eigen/Core>
 #include <algorithm>
 
 #include "base/constants.hpp"
+#include "linear/orthogonal.hpp"
 
 namespace vcrit::indenter {
 
@@ -51,15 +52,14 @@ void Sliding::find() {
   // sum a period takes no more than that share.
   constexpr double no_return = 1e-13;
   const Eigen::VectorXd weights = motion_.energy_weights();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> parts(
-      weights.asDiagonal() * map * weights.cwiseInverse().asDiagonal(),
-      Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::VectorXd found = parts.matrixU().transpose() * weights.cwiseProduct(base);
+  const linear::SingularValues parts =
+      linear::singular_values(weights.asDiagonal() * map * weights.cwiseInverse().asDiagonal());
+  Eigen::VectorXd found = parts.u.transpose() * weights.cwiseProduct(base);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const double size = parts.singularValues()(i);
+    const double size = parts.sizes(i);
     found(i) = size < no_return ? 0 : found(i) / size;
   }
-  body_ = (parts.matrixV() * found).cwiseQuotient(weights);
+  body_ = (parts.v * found).cwiseQuotient(weights);
   after(body_);
 }
 

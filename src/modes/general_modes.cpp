@@ -1,7 +1,6 @@
 #include "modes/general_modes.hpp"
 
-#include <Eigen/Dense>
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -9,14 +8,16 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
+#include "linear/elimination.hpp"
+#include "linear/orthogonal.hpp"
 
 namespace vcrit::simulation {
 
 namespace {
 
 using WideReal = long double;
-using WideMatrix = Eigen::Matrix<WideReal, Eigen::Dynamic, Eigen::Dynamic>;
-using WideColumn = Eigen::Matrix<WideReal, Eigen::Dynamic, 1>;
+using WideMatrix = linear::Matrix<WideReal>;
+using WideColumn = linear::Vector<WideReal>;
 
 // Of the norm of A: what is left of a rate that is 0, of some dozen modes.
 constexpr WideReal no_rate = 2e-18L;
@@ -41,17 +42,18 @@ WideMatrix wide_matrix(const Dense<long double>& a) {
 
 class Decomposition {
  public:
-  explicit Decomposition(const WideMatrix& a) : a_(a), size_(a.norm()), eigen_(a) {
-    if (eigen_.info() != Eigen::Success)
+  explicit Decomposition(const WideMatrix& a)
+      : a_(a), size_(a.norm()), eigen_(linear::general_eigen(a)) {
+    if (!eigen_.converged)
       throw ModelError("the free motions of the drive with its masses do not converge");
     for (Eigen::Index i = 0; i < a.rows(); ++i) {
-      const std::complex<WideReal> s = eigen_.eigenvalues()[i];
+      const std::complex<WideReal> s = eigen_.values[i];
       if (s.imag() == 0)
         real_.push_back(i);
       else if (s.imag() > 0)
         add_pair_of(i);
     }
-    std::ranges::sort(real_, {}, [&](Eigen::Index i) { return -eigen_.eigenvalues()[i].real(); });
+    std::ranges::sort(real_, {}, [&](Eigen::Index i) { return -eigen_.values[i].real(); });
     join_close();
     for (const Eigen::Index i : real_) add_single(i);
   }
@@ -71,7 +73,7 @@ class Decomposition {
       from.col(column++) = plane.a;
       from.col(column++) = plane.b;
     }
-    const WideMatrix to = from.partialPivLu().inverse();
+    const WideMatrix to = linear::Lu<WideReal>(from).inverse();
     const auto size = static_cast<Index>(n);
     result.modes.to_modes = result.modes.from_modes = Matrix(size, size);
     for (Index i = 0; i < size; ++i)
@@ -94,22 +96,21 @@ class Decomposition {
   WideReal decaying(WideReal rate) const { return rate > no_rate * size_ ? rate : 0; }
 
   void add_single(Eigen::Index i) {
-    const WideColumn shape = eigen_.eigenvectors().col(i).real();
-    singles_.emplace_back(decaying(-eigen_.eigenvalues()[i].real()), shape / shape.norm());
+    const WideColumn shape = eigen_.vectors.col(i).real();
+    singles_.emplace_back(decaying(-eigen_.values[i].real()), shape / shape.norm());
   }
 
   void add_pair_of(Eigen::Index i) {
-    const std::complex<WideReal> s = eigen_.eigenvalues()[i];
+    const std::complex<WideReal> s = eigen_.values[i];
     if (s.imag() < close_modes * std::abs(s) && add_plane(-s.real(), -s.imag() * s.imag())) return;
-    const WideColumn real = eigen_.eigenvectors().col(i).real(),
-                     imaginary = eigen_.eigenvectors().col(i).imag();
+    const WideColumn real = eigen_.vectors.col(i).real(), imaginary = eigen_.vectors.col(i).imag();
     planes_.push_back({decaying(-s.real()), -s.imag() * s.imag(), imaginary / s.imag(), real});
   }
 
   void join_close() {
     for (std::size_t i = 0; i + 1 < real_.size();) {
-      const WideReal slow = -eigen_.eigenvalues()[real_[i]].real(),
-                     fast = -eigen_.eigenvalues()[real_[i + 1]].real();
+      const WideReal slow = -eigen_.values[real_[i]].real(),
+                     fast = -eigen_.values[real_[i + 1]].real();
       if (!(fast - slow < close_modes * (slow + fast)) ||
           !add_plane((slow + fast) / 2, (fast - slow) * (fast - slow) / 4)) {
         ++i;
@@ -128,14 +129,14 @@ class Decomposition {
     const WideMatrix identity = WideMatrix::Identity(n, n), shifted = a_ + decay * identity;
     WideMatrix square = shifted * shifted - q * identity;
     square += 1e-19L * size_ * size_ * identity;
-    const Eigen::PartialPivLU<WideMatrix> solver(square);
+    const linear::Lu<WideReal> solver(square);
     WideMatrix plane(n, 2);
     for (Eigen::Index i = 0; i < n; ++i) {
       plane(i, 0) = std::cos(static_cast<WideReal>(i + 1));
       plane(i, 1) = std::sin(static_cast<WideReal>(2 * i + 1));
     }
     for (int i = 0; i < 4; ++i) {
-      plane = solver.solve(plane).eval();
+      plane = solver.solve(plane);
       plane.col(0) /= plane.col(0).norm();
       for (int k = 0; k < 2; ++k) plane.col(1) -= plane.col(0) * plane.col(0).dot(plane.col(1));
       plane.col(1) /= plane.col(1).norm();
@@ -158,7 +159,7 @@ class Decomposition {
 
   WideMatrix a_;
   WideReal size_;
-  Eigen::EigenSolver<WideMatrix> eigen_;
+  linear::GeneralEigen<WideReal> eigen_;
   std::vector<Eigen::Index> real_;
   std::vector<std::pair<WideReal, WideColumn>> singles_;
   std::vector<Plane> planes_;
@@ -189,11 +190,10 @@ GeneralModes general_modes(const Dense<long double>& a) {
 
 List<std::complex<double>> response(const Dense<long double>& a, std::complex<double> s) {
   using Complex = std::complex<WideReal>;
-  using ComplexMatrix = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic>;
-  ComplexMatrix shifted = -wide_matrix(a).cast<Complex>();
+  linear::Matrix<Complex> shifted = -wide_matrix(a).cast<Complex>();
   shifted.diagonal().array() += Complex(s.real(), s.imag());
-  const Eigen::Matrix<Complex, Eigen::Dynamic, 1> found =
-      shifted.fullPivLu().solve(ComplexMatrix::Identity(shifted.rows(), 1));
+  const linear::Vector<Complex> force = linear::Vector<Complex>::Unit(shifted.rows(), 0),
+                                found = linear::solve_fully_pivoted(shifted, force);
   List<std::complex<double>> result;
   for (const Complex& each : found)
     result.emplace_back(static_cast<double>(each.real()), static_cast<double>(each.imag()));

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/interruption.hpp"
+#include "linear/orthogonal.hpp"
 
 namespace vcrit::realisation {
 
@@ -47,10 +48,10 @@ MatrixXd real_rows(const MatrixXcd& columns, const VectorXd& weight) {
 }
 
 VectorXd scaled_solution(MatrixXd matrix, const VectorXd& right) {
-  const VectorXd size = matrix.colwise().norm().transpose().cwiseMax(
-      std::numeric_limits<double>::min());
+  const VectorXd size =
+      matrix.colwise().norm().transpose().cwiseMax(std::numeric_limits<double>::min());
   matrix = matrix * size.cwiseInverse().asDiagonal();
-  return matrix.colPivHouseholderQr().solve(right).cwiseQuotient(size);
+  return linear::PivotedQr(matrix).solve(right).cwiseQuotient(size);
 }
 
 Poles start_poles(const Rows& rows, Index pairs, bool by_factor) {
@@ -84,7 +85,7 @@ Poles zeros_of(const Poles& poles, const VectorXd& residues, double constant) {
   a -= b * residues.transpose() / constant;
   if (!a.allFinite()) return poles;
   Poles zeros;
-  for (const Complex& zero : a.eigenvalues())
+  for (const Complex& zero : linear::eigenvalues(a))
     if (zero.imag() >= 0) zeros.push_back(zero);
   return zeros;
 }
@@ -137,8 +138,8 @@ CausalFit with_residues(const Rows& rows, const Poles& poles, VectorXd* residues
   const VectorXd found = scaled_solution(real_rows(columns, rows.weight), right);
   CausalFit fit{poles, {}, 0};
   // Rows of weight 0 are left out of the fit, and still have what is left of them.
-  fit.left = (rows.value - columns * found).cwiseQuotient(
-      rows.value.cwiseAbs().cwiseMax(std::numeric_limits<double>::min()));
+  fit.left = (rows.value - columns * found)
+                 .cwiseQuotient(rows.value.cwiseAbs().cwiseMax(std::numeric_limits<double>::min()));
   fit.sum = rows.weight.cwiseProduct(rows.value - columns * found).squaredNorm();
   if (residues) *residues = found;
   return fit;
@@ -181,8 +182,7 @@ CausalFit without_doubtful_pairs(const Rows& rows, const CausalFit& fit) {
 
 double schwarz(double sum, Index numbers, Index parameters) {
   const auto n = static_cast<double>(numbers);
-  return n * std::log(std::max(sum, 1e-28 * n) / n) +
-         static_cast<double>(parameters) * std::log(n);
+  return n * std::log(std::max(sum, 1e-28 * n) / n) + static_cast<double>(parameters) * std::log(n);
 }
 
 }  // namespace
@@ -218,7 +218,8 @@ CausalFit with_rows_at_fault(const Rows& rows, Index pairs, CausalFit fit) {
     if (rows_beyond(fit.left, 2 * level) == 0) break;
     Rows weighed = rows;
     for (Index i = 0; i < rows.size(); ++i)
-      weighed.weight[i] *= std::min(1.0, std::pow(level / std::max(std::abs(fit.left[i]), level), 2));
+      weighed.weight[i] *=
+          std::min(1.0, std::pow(level / std::max(std::abs(fit.left[i]), level), 2));
     fit = better_start(weighed, pairs);
   }
   return fit;

@@ -1,10 +1,10 @@
-// What a causal response can have in common with a table, whatever its signs: relaxed vector fitting
-// (Gustavsen and Semlyen, IEEE Trans. Power Delivery 14, 1999; Gustavsen, 21, 2006), weighted by
-// 1/|R_i|. Residues are free, so what is left of a row is noise or at fault: the linear test of
-// Boukamp (1995), with resonances in place of relaxations.
+// What a causal response can have in common with a table, whatever its signs: relaxed vector
+// fitting (Gustavsen and Semlyen, IEEE Trans. Power Delivery 14, 1999; Gustavsen, 21, 2006),
+// weighted by 1/|R_i|. Residues are free, so what is left of a row is noise or at fault: the linear
+// test of Boukamp (1995), with resonances in place of relaxations.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <complex>
 #include <vector>
 

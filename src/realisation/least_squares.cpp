@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/interruption.hpp"
+#include "linear/orthogonal.hpp"
 
 namespace vcrit::realisation {
 
@@ -53,16 +54,16 @@ class Descent {
     scale_ = scale_.cwiseMax(slope_.colwise().norm().transpose());
     const VectorXd scale = scale_.cwiseMax(least_scale * scale_.maxCoeff());
     if (!(scale.maxCoeff() > 0)) return false;
-    const Eigen::HouseholderQR<MatrixXd> qr(slope_);
+    const linear::Qr qr(slope_);
     const Index count = at_.size(), rank = std::min(count, slope_.rows());
     MatrixXd stacked = MatrixXd::Zero(rank + count, count);
     VectorXd right = VectorXd::Zero(rank + count);
-    right.head(rank) = -VectorXd(qr.householderQ().adjoint() * residual_).head(rank);
+    right.head(rank) = -qr.turned(residual_).head(rank);
     constexpr int most_dampings = 14;
     for (int attempt = 0; attempt < most_dampings; ++attempt) {
-      stacked.topRows(rank) = MatrixXd(qr.matrixQR().topRows(rank)).triangularView<Eigen::Upper>();
+      stacked.topRows(rank) = qr.upper();
       stacked.bottomRows(count) = (std::sqrt(damping_) * scale).asDiagonal();
-      if (accept(stacked.householderQr().solve(right), scale)) return true;
+      if (accept(linear::Qr(stacked).solve(right), scale)) return true;
       damping_ *= growth_;
       growth_ *= 2;
     }

@@ -3,7 +3,7 @@
 // condition would be squared.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <functional>
 
 namespace vcrit::realisation {

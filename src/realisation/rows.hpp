@@ -2,7 +2,7 @@
 // are about 1, each weighted by its own size, since a measurement's error is relative.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <complex>
 #include <vector>
 

@@ -2,7 +2,7 @@
 // these the one that Schwarz's criterion prefers.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <optional>
 #include <vector>
 

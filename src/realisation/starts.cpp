@@ -6,6 +6,8 @@
 
 #include "base/constants.hpp"
 #include "fit/nnls.hpp"
+#include "linear/elimination.hpp"
+#include "linear/orthogonal.hpp"
 #include "realisation/causal_fit.hpp"
 
 namespace vcrit::realisation {
@@ -49,16 +51,15 @@ Structure structure_with(const Rows& rows, const std::vector<Resonance>& modes) 
   const auto times = relaxation_times(rows);
   MatrixXd columns(2 * rows.size(), count + static_cast<Index>(times.size()));
   for (Index k = 0; k < count; ++k)
-    columns.col(k) = column_of(rows, [&](double omega) {
-      return response_of(modes[static_cast<std::size_t>(k)], omega);
-    });
+    columns.col(k) = column_of(
+        rows, [&](double omega) { return response_of(modes[static_cast<std::size_t>(k)], omega); });
   for (std::size_t j = 0; j < times.size(); ++j)
     columns.col(count + static_cast<Index>(j)) =
         column_of(rows, [&](double omega) { return 1.0 / Complex(1, omega * times[j]); });
   const VectorXd shares = fit::nonnegative_least_squares(columns, weighted(rows, rows.value));
 
-  Structure structure{0, 0, VectorXd(count), VectorXd(count), MatrixXd::Zero(count, count),
-                      VectorXd::Zero(count)};
+  Structure structure{
+      0, 0, VectorXd(count), VectorXd(count), MatrixXd::Zero(count, count), VectorXd::Zero(count)};
   const auto springs = shares.tail(static_cast<Index>(times.size()));
   Index largest = 0;
   springs.maxCoeff(&largest);
@@ -96,8 +97,8 @@ Structure from_causal_fit(const Rows& rows, Index modes, bool by_factor) {
   return structure_with(rows, found);
 }
 
-// The drive as absorbers on its end: K_d = k + c s + sum m s^2 (w^2 + 2 zeta w s)/(s^2 + 2 zeta w s +
-// w^2), linear in k, c and m >= 0, with the resonances of 1/R.
+// The drive as absorbers on its end: K_d = k + c s + sum m s^2 (w^2 + 2 zeta w s)/(s^2 + 2 zeta w s
+// + w^2), linear in k, c and m >= 0, with the resonances of 1/R.
 struct Absorbers {
   double stiffness, damping;
   VectorXd frequency, decay, mass;  ///< w, 2 zeta w, m
@@ -109,8 +110,8 @@ Absorbers absorbers_of(const Rows& rows, const std::vector<Resonance>& modes) {
   const auto column = [&](const auto& stiffness) {
     VectorXcd values(rows.size());
     for (Index i = 0; i < rows.size(); ++i)
-      values[i] = stiffness(Complex(0, rows.omega[i])) * rows.value[i] *
-                  (rows.weight[i] > 0 ? 1.0 : 0.0);
+      values[i] =
+          stiffness(Complex(0, rows.omega[i])) * rows.value[i] * (rows.weight[i] > 0 ? 1.0 : 0.0);
     VectorXd both(2 * rows.size());
     both << values.real(), values.imag();
     return both;
@@ -148,16 +149,15 @@ Structure structure_of_absorbers(const Rows& rows, const Absorbers& absorbers) {
   stiffness += pull * phi.transpose() + phi * pull.transpose() + k * phi * phi.transpose();
   damping -= drag * drag.transpose() / c;
 
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(stiffness);
-  const MatrixXd turn = axes.eigenvectors();
+  const auto [squares, turn, converged] = linear::symmetric_eigen(stiffness);
   Structure structure;
   structure.alpha = 1 / std::sqrt(k);
   structure.tau = c / k;
   structure.phi = turn.transpose() * phi;
-  structure.frequency = axes.eigenvalues().cwiseMax(1e-12).cwiseSqrt();
+  structure.frequency = squares.cwiseMax(1e-12).cwiseSqrt();
   MatrixXd turned = turn.transpose() * damping * turn;
   turned.diagonal().array() += 1e-9 * turned.trace() + 1e-12;
-  structure.factor = turned.llt().matrixL();
+  structure.factor = linear::Cholesky<double>(turned).lower();
   const VectorXd share =
       (turn.transpose() * held).cwiseQuotient(structure.frequency) / std::sqrt(k);
   structure.lean = share / std::sqrt(std::max(1 - share.squaredNorm(), 1e-6));
@@ -208,8 +208,9 @@ std::vector<Structure> absorber_starts(const Rows& rows, Index modes) {
 
 Structure with_mode(const Rows& rows, const Structure& structure, double frequency,
                     double damping) {
-  const VectorXd column =
-      column_of(rows, [&](double omega) { return response_of({frequency, damping}, omega); });
+  const VectorXd column = column_of(rows, [&](double omega) {
+    return response_of({frequency, damping}, omega);
+  });
   const double size = column.squaredNorm();
   const double share = size > 0 ? column.dot(misfit_of(rows, structure)) / size : 0;
   const double least = size > 0 ? 1e-4 / std::sqrt(size) : 1e-6;

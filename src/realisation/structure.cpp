@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linear/elimination.hpp"
+
 namespace vcrit::realisation {
 
 namespace {
@@ -79,7 +81,8 @@ class Balance {
   VectorXcd solution_;
 };
 
-/// The derivatives of R by the parameters: dR = 2 db.u - u.(d matrix) u, as the matrix is symmetric.
+/// The derivatives of R by the parameters: dR = 2 db.u - u.(d matrix) u, as the matrix is
+/// symmetric.
 class ResponseSlope {
  public:
   ResponseSlope(const Shape& shape, const Structure& structure)
@@ -95,8 +98,7 @@ class ResponseSlope {
     for (Index k = 0; k < shape_.modes; ++k) {
       const double w = at_.frequency[k];
       slope[phi_place + k] = 2.0 * q[k];
-      slope[frequency_place(shape_) + k] =
-          -2.0 * q[k] * (q[k] * w * w + u[0] * coupling_[k]);
+      slope[frequency_place(shape_) + k] = -2.0 * q[k] * (q[k] * w * w + u[0] * coupling_[k]);
     }
     const VectorXcd along = at_.factor.transpose() * q;
     for_each_factor(shape_, [&](Index place, Index row, Index column) {
@@ -152,7 +154,7 @@ MatrixXd Structure::stiffness_matrix() const {
 Complex Structure::response(double omega) const { return Balance(*this).response(omega); }
 
 double Structure::static_compliance() const {
-  return (reach().transpose() * stiffness_matrix().ldlt().solve(reach())).value();
+  return (reach().transpose() * linear::Ldlt<double>(stiffness_matrix()).solve(reach())).value();
 }
 
 Complex Mode::response(double omega) const {
@@ -206,8 +208,8 @@ VectorXd parameters_of(const Shape& shape, const Structure& structure) {
 }
 
 void keep_in_reach(const Shape& shape, const Rows& rows, VectorXd& parameters) {
-  // A mode a hundred times beyond the rows is a compliance or a mass to them. Without damping tau is
-  // 0: what a billionth of the shortest period leaves of it is less than any digit of a table.
+  // A mode a hundred times beyond the rows is a compliance or a mass to them. Without damping tau
+  // is 0: what a billionth of the shortest period leaves of it is less than any digit of a table.
   constexpr double far = 4.6, farther = 20.7;
   // Decay a hundred thousand times as fast as the last row is a damper without mass to it, and a
   // spring that relaxes as much more slowly than the first a damper; more than that would only lose
@@ -224,8 +226,8 @@ void keep_in_reach(const Shape& shape, const Rows& rows, VectorXd& parameters) {
   }
 }
 
-void residuals(const Shape& shape, const Rows& rows, const VectorXd& parameters,
-               VectorXd& residual, MatrixXd* slope) {
+void residuals(const Shape& shape, const Rows& rows, const VectorXd& parameters, VectorXd& residual,
+               MatrixXd* slope) {
   const Structure structure = structure_of(shape, parameters);
   const Index count = rows.size();
   Balance balance(structure);

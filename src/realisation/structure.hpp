@@ -1,14 +1,14 @@
-// A drive as a structure that is passive by its form: masses 1 on coordinates q and one coordinate y
-// without mass, where springs and dampers hold both,
+// A drive as a structure that is passive by its form: masses 1 on coordinates q and one coordinate
+// y without mass, where springs and dampers hold both,
 //   R_d(s) = b^T (M s^2 + C s + K)^-1 b,  M = diag(0, 1, ..), b = (alpha, phi),
 //   C = diag(tau, L L^T),  K = [1 h^T; h diag(w^2)].
-// With h = 0 that is alpha^2/(1 + tau s) + phi^T (s^2 + L L^T s + W^2)^-1 phi: a spring and a damper
-// side by side in series with modes whose damping is full. Every drive of springs, dampers and
-// masses whose end has no mass and whose dampers reach that end is one of these: y is the
+// With h = 0 that is alpha^2/(1 + tau s) + phi^T (s^2 + L L^T s + W^2)^-1 phi: a spring and a
+// damper side by side in series with modes whose damping is full. Every drive of springs, dampers
+// and masses whose end has no mass and whose dampers reach that end is one of these: y is the
 // coordinate that the dampers do not couple to q. K >= 0 is |h/w| < 1: h = w z/sqrt(1 + |z|^2).
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <complex>
 
 #include "realisation/rows.hpp"
@@ -67,7 +67,8 @@ Eigen::VectorXd parameters_of(const Shape& shape, const Structure& structure);
 /// Keeps frequencies and tau where the rows can tell anything of them.
 void keep_in_reach(const Shape& shape, const Rows& rows, Eigen::VectorXd& parameters);
 
-/// (R(i omega) - R_i) weight_i, real parts first; with `slope`, 2 rows x parameters, its derivatives.
+/// (R(i omega) - R_i) weight_i, real parts first; with `slope`, 2 rows x parameters, its
+/// derivatives.
 void residuals(const Shape& shape, const Rows& rows, const Eigen::VectorXd& parameters,
                Eigen::VectorXd& residual, Eigen::MatrixXd* slope);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linear/orthogonal.hpp"
+
 namespace vcrit::realisation {
 
 namespace {
@@ -48,7 +50,7 @@ Uncertainty::Uncertainty(const Rows& rows, const FoundStructures& found, double 
   VectorXd residual;
   residuals(shape_, rows_, parameters_, residual, &slope_);
   sum_ = residual.squaredNorm();
-  others_.compute(slope_);
+  others_ = linear::PivotedQr(slope_);
   drift();
 }
 
@@ -63,14 +65,14 @@ void Uncertainty::drift() {
   constexpr int steps = 8;
   // Most parameters are logarithms, or of size 1 in the units of rows.
   constexpr double farthest = 0.5;
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(slope_.transpose() * slope_);
-  if (axes.info() != Eigen::Success) return;
+  const auto axes = linear::symmetric_eigen<double>(slope_.transpose() * slope_);
+  if (!axes.converged) return;
   for (Index k = 0; k < std::min(directions, parameters_.size()); ++k) {
-    const double rise = std::sqrt(std::max(axes.eigenvalues()[k], 0.0));
+    const double rise = std::sqrt(std::max(axes.values[k], 0.0));
     const double far = 3 * spread_ < farthest * rise ? 3 * spread_ / rise : farthest;
     for (const double way : {far, -far}) {
       const Candidate found =
-          refined(rows_, shape_, parameters_ + way * axes.eigenvectors().col(k), steps);
+          refined(rows_, shape_, parameters_ + way * axes.vectors.col(k), steps);
       if (found.sum <= allowed_sum()) rivals_.push_back(structure_of(shape_, found.parameters));
     }
   }

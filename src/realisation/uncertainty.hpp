@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "linear/orthogonal.hpp"
 #include "realisation/search.hpp"
 
 namespace vcrit::realisation {
@@ -55,7 +56,7 @@ class Uncertainty {
   double spread_ = 0;  ///< of one number's misfit
   double sum_ = 0;     ///< of squares of those
   Eigen::MatrixXd slope_;
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> others_;
+  linear::PivotedQr others_;
 };
 
 }  // namespace vcrit::realisation

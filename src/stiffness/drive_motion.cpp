@@ -1,12 +1,13 @@
 #include "stiffness/drive_motion.hpp"
 
-#include <Eigen/Dense>
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
+#include "linear/elimination.hpp"
+#include "linear/orthogonal.hpp"
 #include "stiffness/structure_check.hpp"
 
 namespace vcrit {
@@ -58,18 +59,18 @@ struct WholeDrive {
 
   // Springs by their eigenvectors: those along which there are none move freely.
   void split(const MotionMatrix& stiffness) {
-    const Eigen::SelfAdjointEigenSolver<MotionMatrix> eigen(stiffness);
-    const MotionReal largest = eigen.eigenvalues().maxCoeff();
+    const auto eigen = linear::symmetric_eigen(stiffness);
+    const MotionReal largest = eigen.values.maxCoeff();
     const Eigen::Index n = stiffness.rows();
     free.resize(n, 0);
     elongations.resize(n, 0);
     for (Eigen::Index i = 0; i < n; ++i) {
-      const MotionReal value = eigen.eigenvalues()[i];
+      const MotionReal value = eigen.values[i];
       if (value > no_stiffness * static_cast<MotionReal>(n) * largest) {
-        add_elongation(std::sqrt(value) * eigen.eigenvectors().col(i), 0);
+        add_elongation(std::sqrt(value) * eigen.vectors.col(i), 0);
       } else {
         free.conservativeResize(n, free.cols() + 1);
-        free.col(free.cols() - 1) = eigen.eigenvectors().col(i);
+        free.col(free.cols() - 1) = eigen.vectors.col(i);
       }
     }
   }
@@ -99,13 +100,13 @@ struct WholeDrive {
       if (const MotionReal rate = rates[static_cast<std::size_t>(j)]; rate > 0)
         flowing += elongations.col(j) * elongations.col(j).transpose() / rate;
     const MotionMatrix held = free.transpose() * flowing * free;
-    const Eigen::SelfAdjointEigenSolver<MotionMatrix> eigen(held);
-    if (!(eigen.eigenvalues().minCoeff() > 0))
+    const auto eigen = linear::symmetric_eigen(held);
+    if (!(eigen.values.minCoeff() > 0))
       throw ModelError(
           "nothing but masses leads from the body to the far end of the drive: it pulls nothing",
           "a spring or damper to the far end");
     if (force.norm() <= no_part * port.norm()) return 0;
-    return force.dot(held.llt().solve(force));
+    return force.dot(linear::Cholesky<MotionReal>(held).solve(force));
   }
 
   MotionColumn root, port, together;
@@ -151,8 +152,8 @@ DriveMotion drive_motion(const DriveStructure& structure) {
   for (std::size_t i = 0; i < result.rates.rows(); ++i)
     for (std::size_t j = 0; j < result.rates.columns(); ++j)
       result.rates(i, j) = a(place_at(i), place_at(j));
-  const Eigen::EigenSolver<MotionMatrix> eigen(a, false);
-  result.poles.assign(eigen.eigenvalues().begin(), eigen.eigenvalues().end());
+  const auto poles = linear::eigenvalues(a);
+  result.poles.assign(poles.begin(), poles.end());
   return result;
 }
 

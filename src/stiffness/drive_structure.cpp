@@ -11,12 +11,14 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
+#include "linear/elimination.hpp"
+#include "linear/orthogonal.hpp"
 #include "network/law.hpp"
 #include "network/masses.hpp"
 #include "stiffness/structure_check.hpp"
@@ -148,15 +150,15 @@ void NodalForms::eliminate() {
   if (m > 0) {
     const DenseStructure inner = springs.bottomRightCorner(m, m);
     const DenseStructure all = inner + dampers.bottomRightCorner(m, m);
-    const Eigen::LLT<DenseStructure> lower(all);
-    const DenseStructure half = lower.matrixL().solve(inner);
-    const DenseStructure shares = lower.matrixL().solve(half.transpose());
-    const Eigen::SelfAdjointEigenSolver<DenseStructure> eigen((shares + shares.transpose()) / 2);
-    const DenseStructure to = eigen.eigenvectors().transpose();
-    const DenseStructure springs_to = to * lower.matrixL().solve(springs.bottomLeftCorner(m, n));
-    const DenseStructure dampers_to = to * lower.matrixL().solve(dampers.bottomLeftCorner(m, n));
+    const linear::Cholesky<StructureReal> lower(all);
+    const DenseStructure half = lower.solve_lower(inner);
+    const DenseStructure shares = lower.solve_lower(half.transpose());
+    const auto eigen = linear::symmetric_eigen<StructureReal>((shares + shares.transpose()) / 2);
+    const DenseStructure to = eigen.vectors.transpose();
+    const DenseStructure springs_to = to * lower.solve_lower(springs.bottomLeftCorner(m, n));
+    const DenseStructure dampers_to = to * lower.solve_lower(dampers.bottomLeftCorner(m, n));
     for (Eigen::Index i = 0; i < m; ++i) {
-      const StructureReal mu = eigen.eigenvalues()[i], nu = 1 - mu;
+      const StructureReal mu = eigen.values[i], nu = 1 - mu;
       const StructureColumn ki = springs_to.row(i).transpose(), ci = dampers_to.row(i).transpose();
       if (mu > no_share) k -= ki * ki.transpose() / mu;
       if (nu > no_share) c -= ci * ci.transpose() / nu;
@@ -356,8 +358,8 @@ DriveStructure stiffer(DriveStructure structure, double times) {
 
 std::vector<std::complex<long double>> displacements(const DriveStructure& structure,
                                                      std::complex<long double> s) {
-  using ComplexMatrix = Eigen::Matrix<std::complex<StructureReal>, Eigen::Dynamic, Eigen::Dynamic>;
-  using ComplexColumn = Eigen::Matrix<std::complex<StructureReal>, Eigen::Dynamic, 1>;
+  using ComplexMatrix = linear::Matrix<std::complex<StructureReal>>;
+  using ComplexColumn = linear::Vector<std::complex<StructureReal>>;
   check_sizes(structure);
   const std::size_t n = structure.mass.size();
   const auto at = [](std::size_t i) { return static_cast<Eigen::Index>(i); };
@@ -373,7 +375,7 @@ std::vector<std::complex<long double>> displacements(const DriveStructure& struc
     }
     dynamic(at(i), at(i)) += static_cast<StructureReal>(structure.mass[i]) * s * s;
   }
-  const ComplexColumn found = dynamic.fullPivLu().solve(port);
+  const ComplexColumn found = linear::solve_fully_pivoted(dynamic, port);
   return {found.begin(), found.end()};
 }
 

@@ -1,6 +1,7 @@
 // Nonnegative least squares against all subsets of columns, and by the conditions of an optimum.
 #include "fit/nnls.hpp"
 
+#include <Eigen/LU>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <random>

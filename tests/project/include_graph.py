@@ -1,7 +1,7 @@
 """The include graph of the project and the arrows in it that are not allowed.
 
 The rooms stand in one order and a file may include only files of its own room or of an earlier one;
-six rules beyond the order are written down below. Quoted includes are the project's own files,
+seven rules beyond the order are written down below. Quoted includes are the project's own files,
 looked up beside the including file and then from the roots, as the compiler does; a file that the
 build writes stands as its template NAME.in.
 """
@@ -12,6 +12,7 @@ from pathlib import Path
 # Earliest first; the folder of each room.
 ROOMS = [
     "src/base",
+    "src/linear",
     "src/record",
     "src/network",
     "src/scene",
@@ -98,6 +99,10 @@ KNOW_RAW_SCENES = {"src/scene", "src/problem", "validation/live", "bench/scaling
 ALGEBRA = re.compile(r"(ginac|cln)/")
 ALGEBRA_ROOTS = {"symbolic", "validation", "bench"}
 
+# Eigen's decompositions take a compiler seconds in each unit that includes them: one room compiles them.
+DECOMPOSITIONS = re.compile(r"(unsupported/)?Eigen/(?!Core$)")
+KNOW_DECOMPOSITIONS = {"src/linear", "bench/simulators"}
+
 # Code that the project writes into files of its own stands in raw strings, with includes of its own.
 NOT_CODE = re.compile(r'R"(\w*)\(.*?\)\1"|/\*.*?\*/', re.DOTALL)
 
@@ -140,6 +145,8 @@ class IncludeGraph:
         for bracket, included in INCLUDE.findall(NOT_CODE.sub("", file.read_text())):
             if ALGEBRA.match(included) and name.split("/")[0] not in ALGEBRA_ROOTS:
                 self.problems.append(f"{name} includes {included}: computer algebra has no place here")
+            if DECOMPOSITIONS.match(included) and room_of(name) not in KNOW_DECOMPOSITIONS:
+                self.problems.append(f"{name} includes {included}: ask src/linear, which compiles it for all")
             if bracket == '"':
                 self._arrow(file, name, included)
 

@@ -136,6 +136,11 @@ class APlantedTree(unittest.TestCase):
     def test_the_library_may_not_use_algebra(self):
         self.assert_found("src/critical/wrong.cpp", "#include <ginac/ginac.h>\n", "algebra")
 
+    def test_one_room_compiles_decompositions(self):
+        self.assert_found("src/critical/wrong.cpp", "#include <Eigen/Dense>\n", "src/linear")
+        self.assertEqual(self.problems(files={"src/critical/right.cpp": "#include <Eigen/Core>\n",
+                                              "src/linear/lu.cpp": "#include <Eigen/LU>\n"}), [])
+
     def test_the_product_may_not_know_the_benchmarks(self):
         for room in ["src/base", "symbolic/emit", "validation/report", "app", "python"]:
             self.assert_found(f"{room}/wrong.cpp", '#include "speed/speed.hpp"\n', "comes after")

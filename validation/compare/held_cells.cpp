@@ -1,6 +1,6 @@
 #include "compare/held_cells.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -8,6 +8,7 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
+#include "linear/orthogonal.hpp"
 
 namespace vcrit::validation {
 
@@ -252,7 +253,7 @@ HeldMarch march_held_cells(const HalfSpace& half_space, double velocity, int cel
         map.col(j) -= (moved.period(next + unit) - base) / unit(j);
       }
     }
-    body = next + map.fullPivLu().solve(motion.period(next) - next);
+    body = next + linear::PivotedQr(map).solve(motion.period(next) - next);
   }
   throw ModelError("the march of plain cells finds no motion that repeats");
 }

@@ -1,11 +1,11 @@
 #include "compare/nodal_response.hpp"
 
-#include <Eigen/LU>
 #include <cstdlib>
 #include <utility>
 #include <vector>
 
 #include "base/errors.hpp"
+#include "linear/elimination.hpp"
 #include "network/law.hpp"
 
 namespace vcrit::validation {
@@ -75,8 +75,7 @@ class Points {
 
   // Displacement of a point for each newton on it.
   LongComplex compliance(int point) const {
-    using Matrix = Eigen::Matrix<LongComplex, Eigen::Dynamic, Eigen::Dynamic>;
-    Matrix k = Matrix::Zero(count_, count_);
+    linear::Matrix<LongComplex> k = linear::Matrix<LongComplex>::Zero(count_, count_);
     for (const auto& [a, b, stiffness] : edges_) {
       if (a != ground) k(a, a) += stiffness;
       if (b != ground) k(b, b) += stiffness;
@@ -84,8 +83,8 @@ class Points {
       k(a, b) -= stiffness;
       k(b, a) -= stiffness;
     }
-    const Matrix force = Matrix::Identity(count_, count_).col(point);
-    return k.partialPivLu().solve(force)(point, 0);
+    const linear::Vector<LongComplex> force = linear::Vector<LongComplex>::Unit(count_, point);
+    return linear::solve_fully_pivoted(k, force)(point);
   }
 
  private:

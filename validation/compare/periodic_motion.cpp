@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -10,6 +10,7 @@
 #include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "compare/velocity_comparisons.hpp"
+#include "linear/elimination.hpp"
 #include "normal/mount.hpp"
 
 namespace vcrit::validation {
@@ -98,7 +99,7 @@ std::vector<double> PeriodicMotion::lost(double velocity) const {
       for (Eigen::Index j = 0; j < count; ++j)
         matrix(i, j) = kernel_[(row + points - at[static_cast<std::size_t>(j)]) % points];
     }
-    const Eigen::VectorXd solution = matrix.partialPivLu().solve(right);
+    const Eigen::VectorXd solution = linear::Lu<double>(matrix).solve(right);
     std::fill(x.begin(), x.end(), 0.0);
     for (Eigen::Index i = 0; i < count; ++i) x[at[static_cast<std::size_t>(i)]] = solution(i);
     bool lawful = true;

@@ -1,10 +1,10 @@
 #include "simulation/methods/driven_masses.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "base/constants.hpp"
+#include "linear/elimination.hpp"
 
 namespace vcrit::simulation::methods {
 
@@ -33,13 +33,13 @@ struct Held {
 
 // K = P^T L D L^T P as springs: each of D on a column of P^T L. A row of the elimination that is
 // but rounding holds nothing.
-std::vector<Held> springs(const Eigen::LDLT<Wide>& factors) {
-  const Wide lower = factors.transpositionsP().transpose() * Wide(factors.matrixL());
-  const WideVector d = factors.vectorD();
+std::vector<Held> springs(const linear::Ldlt<long double>& factors) {
+  const Wide shapes = factors.shapes();
+  const WideVector d = factors.diagonal();
   const long double least = static_cast<long double>(d.size()) * epsilon * d.maxCoeff();
   std::vector<Held> result;
   for (Index j = 0; j < d.size(); ++j)
-    if (d[j] > least) result.push_back({d[j], 0, lower.col(j)});
+    if (d[j] > least) result.push_back({d[j], 0, shapes.col(j)});
   return result;
 }
 
@@ -50,12 +50,12 @@ DrivenMasses::DrivenMasses(const DriveStructure& structure, double omega, double
   const auto n = static_cast<Index>(masses_);
   const Wide stiffness = matrix_of(structure.stiffness) / stiffness_unit;
   const Wide damping = matrix_of(structure.damping) * (omega / stiffness_unit);
-  const Eigen::LDLT<Wide> factors(stiffness);
+  const linear::Ldlt<long double> factors(stiffness);
   std::vector<Held> held = springs(factors);
   const bool anchored = static_cast<Index>(held.size()) == n;
   for (const DriveBranch& branch : structure.branches) {
-    held.push_back({branch.stiffness / stiffness_unit, 1 / (branch.time * omega),
-                    vector_of(branch.pull)});
+    held.push_back(
+        {branch.stiffness / stiffness_unit, 1 / (branch.time * omega), vector_of(branch.pull)});
     slowest_ = std::min(slowest_, static_cast<double>(held.back().rate));
   }
 
@@ -77,8 +77,7 @@ DrivenMasses::DrivenMasses(const DriveStructure& structure, double omega, double
   const WideVector q = anchored ? WideVector(factors.solve(-port)) : WideVector::Zero(n);
   for (Index j = n; j < size; ++j) {
     const Held& each = held[static_cast<std::size_t>(j - n)];
-    for (Index i = 0; i < n; ++i)
-      rates_(j, i) = static_cast<double>(each.stiffness * each.pull[i]);
+    for (Index i = 0; i < n; ++i) rates_(j, i) = static_cast<double>(each.stiffness * each.pull[i]);
     rates_(j, j) = -static_cast<double>(each.rate);
     if (each.rate == 0) dragged_[j] = static_cast<double>(each.stiffness * each.pull.dot(q));
   }
@@ -113,9 +112,8 @@ std::vector<double> DrivenMasses::scales(double velocity) const {
 // By Gershgorin's circles of A^2 for what swings, and of A for what relaxes.
 double DrivenMasses::fastest_rate(double damper, double spring) const {
   const auto n = static_cast<Index>(masses_);
-  const double relaxing =
-      std::max(rates_.topLeftCorner(n, n).cwiseAbs().rowwise().sum().maxCoeff(),
-               rates_.diagonal().cwiseAbs().maxCoeff());
+  const double relaxing = std::max(rates_.topLeftCorner(n, n).cwiseAbs().rowwise().sum().maxCoeff(),
+                                   rates_.diagonal().cwiseAbs().maxCoeff());
   const double swinging = (rates_.topRightCorner(n, rates_.cols() - n).cwiseAbs() *
                            rates_.bottomLeftCorner(rates_.rows() - n, n).cwiseAbs())
                               .rowwise()

@@ -1,10 +1,10 @@
 #include "simulation/methods/moreau.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <optional>
 
 #include "base/constants.hpp"
+#include "linear/elimination.hpp"
 #include "simulation/methods/equations.hpp"
 #include "simulation/methods/normal_steps.hpp"
 
@@ -64,8 +64,9 @@ class SteppedChain {
 struct SteppedMasses {
   SteppedMasses(const DrivenMasses& masses, double step, double implicit)
       : theta(implicit),
-        kept((Eigen::MatrixXd::Identity(masses.matrix().rows(), masses.matrix().cols()) -
-              theta * step * masses.matrix())
+        kept(linear::Lu<double>(
+                 Eigen::MatrixXd::Identity(masses.matrix().rows(), masses.matrix().cols()) -
+                 theta * step * masses.matrix())
                  .inverse()),
         pushed(theta * step * kept * masses.push()),
         give(-masses.end_velocity(pushed.data())) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "linear/elimination.hpp"
+
 namespace vcrit::simulation::methods {
 
 namespace {
@@ -32,7 +34,7 @@ bool Newton::converges() {
 // One more period with less accuracy tells the integrator's error, carried to the steady cycle.
 SteadyState Newton::found() {
   const Period coarse = periods_.run(state_, PeriodAccuracy::coarser);
-  const Vector moved_on = solver_.solve(periods_.change(state_, coarse) - rest_);
+  const Vector moved_on = solver_.solve(Vector(periods_.change(state_, coarse) - rest_));
   const double apart = coarse.deficit - period_.deficit + deficit_by_begin_.dot(moved_on);
   double error = caution * std::abs(apart) + std::abs(deficit_by_begin_.dot(step_));
   if (period_.slides() &&
@@ -64,7 +66,7 @@ void Newton::differentiate() {
 
 void Newton::solve() {
   const Eigen::Index n = rest_.size();
-  solver_.compute(Eigen::MatrixXd::Identity(n, n) - end_by_begin_);
+  solver_ = linear::Lu<double>(Eigen::MatrixXd::Identity(n, n) - end_by_begin_);
   step_ = solver_.solve(rest_);
 }
 

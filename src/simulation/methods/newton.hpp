@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "linear/elimination.hpp"
 #include "simulation/methods/steady.hpp"
 
 namespace vcrit::simulation::methods {
@@ -38,7 +39,7 @@ class Newton {
   // Change of the end of the period and of 1 - mu_macro/mu0 with the variables at its beginning.
   Eigen::MatrixXd end_by_begin_;
   Eigen::RowVectorXd deficit_by_begin_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> solver_;
+  linear::Lu<double> solver_;
   Vector step_;
   bool stalled_ = false;
   std::optional<MapState> rejected_;

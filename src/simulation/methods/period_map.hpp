@@ -2,7 +2,7 @@
 // for the steady cycle needs to know of a method.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <vector>
 
 #include "base/constants.hpp"

@@ -1,0 +1,98 @@
+#include "linear/elimination.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <complex>
+
+namespace vcrit::linear {
+
+template <class Number>
+Lu<Number>::Lu(const Matrix<Number>& a)
+    : factors_(std::make_shared<Eigen::PartialPivLU<Matrix<Number>>>(a)) {}
+
+template <class Number>
+Vector<Number> Lu<Number>::solve(const Vector<Number>& right) const {
+  return factors_->solve(right);
+}
+
+template <class Number>
+Matrix<Number> Lu<Number>::solve(const Matrix<Number>& right) const {
+  return factors_->solve(right);
+}
+
+template <class Number>
+Matrix<Number> Lu<Number>::inverse() const {
+  return factors_->inverse();
+}
+
+template <class Number>
+Vector<Number> solve_fully_pivoted(const Matrix<Number>& a, const Vector<Number>& right) {
+  return a.fullPivLu().solve(right);
+}
+
+template <class Number>
+Cholesky<Number>::Cholesky(const Matrix<Number>& a)
+    : factors_(std::make_shared<Eigen::LLT<Matrix<Number>, Eigen::Lower>>(a)) {}
+
+template <class Number>
+Matrix<Number> Cholesky<Number>::lower() const {
+  return factors_->matrixL();
+}
+
+template <class Number>
+Vector<Number> Cholesky<Number>::solve(const Vector<Number>& right) const {
+  return factors_->solve(right);
+}
+
+template <class Number>
+Matrix<Number> Cholesky<Number>::solve_lower(const Matrix<Number>& right) const {
+  return factors_->matrixL().solve(right);
+}
+
+template <class Number>
+Ldlt<Number>::Ldlt(const Matrix<Number>& a)
+    : factors_(std::make_shared<Eigen::LDLT<Matrix<Number>, Eigen::Lower>>(a)) {}
+
+template <class Number>
+Vector<Number> Ldlt<Number>::solve(const Vector<Number>& right) const {
+  return factors_->solve(right);
+}
+
+template <class Number>
+Matrix<Number> Ldlt<Number>::shapes() const {
+  return factors_->transpositionsP().transpose() * Matrix<Number>(factors_->matrixL());
+}
+
+template <class Number>
+Vector<Number> Ldlt<Number>::diagonal() const {
+  return factors_->vectorD();
+}
+
+// For each type of number what is asked for, as all of a class would take twice as long to compile.
+using Complex = std::complex<double>;
+using WideComplex = std::complex<long double>;
+
+template Lu<double>::Lu(const Matrix<double>&);
+template Vector<double> Lu<double>::solve(const Vector<double>&) const;
+template Matrix<double> Lu<double>::inverse() const;
+template Lu<long double>::Lu(const Matrix<long double>&);
+template Matrix<long double> Lu<long double>::solve(const Matrix<long double>&) const;
+template Matrix<long double> Lu<long double>::inverse() const;
+template Lu<Complex>::Lu(const Matrix<Complex>&);
+template Vector<Complex> Lu<Complex>::solve(const Vector<Complex>&) const;
+template Matrix<Complex> Lu<Complex>::inverse() const;
+template Vector<WideComplex> solve_fully_pivoted(const Matrix<WideComplex>&,
+                                                 const Vector<WideComplex>&);
+template Cholesky<double>::Cholesky(const Matrix<double>&);
+template Matrix<double> Cholesky<double>::lower() const;
+template Cholesky<long double>::Cholesky(const Matrix<long double>&);
+template Vector<long double> Cholesky<long double>::solve(const Vector<long double>&) const;
+template Matrix<long double> Cholesky<long double>::solve_lower(const Matrix<long double>&) const;
+template Ldlt<double>::Ldlt(const Matrix<double>&);
+template Vector<double> Ldlt<double>::solve(const Vector<double>&) const;
+template Ldlt<long double>::Ldlt(const Matrix<long double>&);
+template Vector<long double> Ldlt<long double>::solve(const Vector<long double>&) const;
+template Matrix<long double> Ldlt<long double>::shapes() const;
+template Vector<long double> Ldlt<long double>::diagonal() const;
+
+}  // namespace vcrit::linear
