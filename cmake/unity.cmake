@@ -37,3 +37,21 @@ function(vcrit_rooms_together target)
     endforeach()
   endif()
 endfunction()
+
+# vcrit_objects_first(LIBRARY LATER): all sources of the library but those that match LATER become LIBRARY_first, objects
+# of a target of its own that are part of the library all the same: a program that needs no more links them while the
+# rest is yet to be compiled.
+function(vcrit_objects_first library later)
+  get_target_property(sources ${library} SOURCES)
+  set(first ${sources})
+  list(FILTER first EXCLUDE REGEX "${later}|TARGET_OBJECTS")
+  list(FILTER sources INCLUDE REGEX "${later}|TARGET_OBJECTS")
+  add_library(${library}_first OBJECT ${first})
+  foreach(property INCLUDE_DIRECTORIES COMPILE_DEFINITIONS COMPILE_OPTIONS LINK_LIBRARIES)
+    get_target_property(value ${library} ${property})
+    if(value)
+      set_property(TARGET ${library}_first PROPERTY ${property} ${value})
+    endif()
+  endforeach()
+  set_property(TARGET ${library} PROPERTY SOURCES ${sources} $<TARGET_OBJECTS:${library}_first>)
+endfunction()

@@ -1,6 +1,6 @@
 """What the commands of ./dev build. `cmake --install` finds all that it takes after every one that builds in build/release:
 they build the target vcrit_installed, and that has whatever is installed from the build folder. What `./dev demo` builds
-before that, vcrit_first, is compiled of its own choice of sources, and lacks none."""
+before that, vcrit_first, links its own choice of objects, and lacks none."""
 
 import re
 import subprocess
@@ -46,7 +46,7 @@ class Installed(unittest.TestCase):
 
 
 class First(unittest.TestCase):
-    """Nothing else builds vcrit_first, which takes a minute."""
+    """Nothing else links vcrit_first."""
 
     def test_lacks_no_source(self):
         compiled = set()
@@ -67,7 +67,7 @@ class First(unittest.TestCase):
             source = header.with_suffix(".cpp")
             if source.exists() and source not in compiled:
                 lacking.add(str(source.relative_to(PROJECT)))
-        self.assertEqual(lacking, set(), "of rooms that app/CMakeLists.txt leaves out of vcrit_first")
+        self.assertEqual(lacking, set(), "of rooms that vcrit_objects_first leaves out of vcrit_first")
 
 
 def headers_of(file):
