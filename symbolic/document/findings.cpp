@@ -98,8 +98,10 @@ Findings findings_of(const Problem& problem, const DocumentOptions& options) {
       findings.extrema = extrema_lines(derivation, readable_extrema);
   }
   if (options.sensitivities) {
-    if (options.format == Format::json) findings.sensitivities = sensitivities(derivation);
-    findings.abbreviated.sensitivities = sensitivities(derivation, findings.abbreviated.names);
+    if (options.format == Format::json)
+      findings.sensitivities = sensitivities(derivation);
+    else
+      findings.abbreviated.sensitivities = sensitivities(derivation, findings.abbreviated.names);
   }
   return findings;
 }

@@ -33,10 +33,10 @@ struct Findings {
     Abbreviations names;
     std::vector<Asymptote> asymptotes;
     std::vector<Resonance> resonances;
-    Sensitivities sensitivities;
+    Sensitivities sensitivities;  ///< of all formats but JSON, as they take seconds
   } abbreviated;
   std::vector<Line> extrema;
-  Sensitivities sensitivities;
+  Sensitivities sensitivities;                  ///< of JSON
   std::optional<std::vector<Line>> separation;  ///< of a contact that may open
   std::string beyond_simulation;                ///< why it has no motion in time
   std::vector<Line> half_space;                 ///< below an indenter
@@ -49,8 +49,8 @@ struct Findings {
 /// Throws ModelError where the form or what is asked besides is too large, or the scene has none.
 Findings findings_of(const Problem& problem, const DocumentOptions& options);
 
-/// The document of what was found; many formats of one search. `system` is of Format::system,
-/// `standalone` of LaTeX and HTML, as in DocumentOptions.
+/// The document of what was found, in any format but JSON, or in JSON if the findings are for that.
+/// `system` is of Format::system, `standalone` of LaTeX and HTML, as in DocumentOptions.
 std::string print_findings(const Problem& problem, const Findings& findings, Format format,
                            const std::string& system = {}, bool standalone = false);
 

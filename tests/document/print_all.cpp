@@ -16,10 +16,10 @@ namespace {
 void print_derivation(const vcrit::Scene& scene) {
   using namespace vcrit;
   using symbolic::Format;
-  const symbolic::Findings all = symbolic::findings_of(scene, {Format::json, true, true});
-  for (const Format format :
-       {Format::text, Format::latex, Format::markdown, Format::html, Format::json})
+  const symbolic::Findings all = symbolic::findings_of(scene, {Format::text, true, true});
+  for (const Format format : {Format::text, Format::latex, Format::markdown, Format::html})
     std::cout << symbolic::print_findings(scene, all, format);
+  std::cout << symbolic::print(scene, {Format::json, true, true});
   for (const auto form : {symbolic::ResultForm::nested, symbolic::ResultForm::dimensionless})
     std::cout << symbolic::print(scene, {Format::text, false, false, form});
   if (!scene.receptance)

@@ -8,6 +8,7 @@
 #include "analysis/limits.hpp"
 #include "derivation/derivation.hpp"
 #include "derivation/scenes.hpp"
+#include "document/findings.hpp"
 #include "document/print.hpp"
 #include "formula/form.hpp"
 #include "formula/symbols.hpp"
@@ -248,6 +249,18 @@ BOOST_AUTO_TEST_CASE(a_document_with_all_that_can_be_asked_is_derived_once) {
       print(scene, {Format::json, true, true, form});
       BOOST_TEST(derivations_made() - before == 1u);
     }
+}
+
+// In the names of people for people, in those of the scene for programs; not both, as they take
+// longest of all.
+BOOST_AUTO_TEST_CASE(sensitivities_are_derived_once) {
+  const Scene scene = test::kelvin_scene();
+  for (const Format format : {Format::json, Format::text, Format::latex}) {
+    const Findings found = findings_of(scene, {format, false, true});
+    const bool json = format == Format::json;
+    BOOST_TEST(found.sensitivities.each.empty() != json);
+    BOOST_TEST(found.abbreviated.sensitivities.each.empty() == json);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(entries_of_an_array_are_told_from_elements) {
