@@ -11,12 +11,15 @@
 
 namespace vcrit::symbolic::shortest {
 
-Alphabet::Alphabet(const Problem& problem, const DimensionlessGroups* groups)
-    : problem_(problem), groups_(groups) {
+Alphabet::Alphabet(const Problem& problem, const DimensionlessGroups* groups, OmegaPlace omega)
+    : problem_(problem), groups_(groups), omega_(omega) {
   measures_.dimensionless = groups != nullptr;
-  parts_.prefactor = all_.symbol("", 2, true);
+  const bool in_front = omega == OmegaPlace::in_front;
+  parts_.prefactor = all_.symbol("", in_front ? 2 : 1, true);
   parts_.omega = groups != nullptr ? Expressions::number(1) : symbol({"omega"}, {0, -1});
   if (groups == nullptr) measures_.odd.insert(parts_.omega.node);
+  // mu0 du_z omega
+  if (!in_front) parts_.prefactor = all_.multiply(parts_.prefactor, parts_.omega);
   parts_.normal = &problem_->normal.network();
   if (const auto* own = std::get_if<ReducedNetwork>(&problem_->tangential))
     parts_.tangential = &own->network();
@@ -30,7 +33,8 @@ Alphabet::Alphabet(const Problem& problem, const DimensionlessGroups* groups)
 }
 
 Presentations Alphabet::presentations(const Thrift& thrift) {
-  return {all_, parts_.omega, [this](const Symbol& symbol) { return symbols_.at(symbol); }, thrift};
+  const auto lookup = [this](const Symbol& symbol) { return symbols_.at(symbol); };
+  return {all_, parts_.omega, lookup, thrift, omega_ == OmegaPlace::in_front};
 }
 
 Ex Alphabet::stiffness(const std::string& name, bool positive) {
@@ -88,12 +92,10 @@ Ex Alphabet::in_groups(const GiNaC::ex& product) {
 }
 
 void Alphabet::add(const Network& network) {
-  static const std::map<NumberRole, Measure> measures{{NumberRole::stiffness, {1, 0}},
-                                                      {NumberRole::damping, {1, 1}},
-                                                      {NumberRole::time, {0, 1}},
-                                                      {NumberRole::mass, {1, 2}},
-                                                      {NumberRole::loss_factor, {0, 0}},
-                                                      {NumberRole::factor, {0, 0}}};
+  static const std::map<NumberRole, Measure> measures{
+      {NumberRole::stiffness, {1, 0}},   {NumberRole::damping, {1, 1}},
+      {NumberRole::time, {0, 1}},        {NumberRole::mass, {1, 2}},
+      {NumberRole::loss_factor, {0, 0}}, {NumberRole::factor, {0, 0}}};
   for_each_element(network, [&](const Element& element) {
     for_each_number(element,
                     [&](const Symbol& each, NumberRole role) { symbol(each, measures.at(role)); });
@@ -129,8 +131,7 @@ Prose Alphabet::ratio_words(const ShortestForm& form) const {
   const Quantity& given_ratio = isotropic()->quantity;
   const bool poisson = isotropic()->by == Isotropic::By::poisson;
   std::optional<Form> name;
-  if (given_ratio.value && !ratio_.empty())
-    name = Form{Form::Kind::number, ratio_, {}, {}, {}, 1};
+  if (given_ratio.value && !ratio_.empty()) name = Form{Form::Kind::number, ratio_, {}, {}, {}, 1};
   for (const ShortestForm::Definition& definition : form.definitions)
     if (all_.name(parts_.ratio.node) == "g" && definition.name.text.starts_with("g"))
       name = definition.name;

@@ -22,10 +22,15 @@ namespace vcrit::symbolic::shortest {
 inline constexpr std::size_t work_of_beginning = 5'000'000;
 inline constexpr SearchEffort search_effort{60, 5'000'000};
 
+/// Where omega stands: with mu0 and du_z in front of v*, and in letters (W = omega c); or as a
+/// factor like others, so that forms multiplied through by omega, where it cancels, are found.
+enum class OmegaPlace { in_front, anywhere };
+
 class Alphabet {
  public:
   /// In `groups` where they are given, with the reference and omega put to 1.
-  explicit Alphabet(const Problem& problem, const DimensionlessGroups* groups = nullptr);
+  explicit Alphabet(const Problem& problem, const DimensionlessGroups* groups = nullptr,
+                    OmegaPlace omega = OmegaPlace::in_front);
 
   Expressions& expressions() { return all_; }
   const Parts& parts() const { return parts_; }
@@ -54,6 +59,7 @@ class Alphabet {
 
   Problem problem_;
   const DimensionlessGroups* groups_;
+  OmegaPlace omega_;
   Expressions all_;
   Parts parts_;
   std::map<Symbol, Ex> symbols_;

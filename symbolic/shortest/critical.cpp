@@ -110,32 +110,39 @@ class CriticalVelocity {
   }
 
   void own_tangential() {
-    Ex normal = complex_.modulus(presentations_.of(*parts_.normal)[0]);
+    const Quotients contact = presentations_.of(*parts_.normal);
+    const std::vector<Ex> rest = tangential_factors();
+    for (const ComplexQuotient& k : contact)
+      for (const Ex& each : rest) offer(all_.multiply(complex_.modulus(k), each));
+  }
+
+  /// |K_t + D|/(|K_t| |D|)
+  std::vector<Ex> tangential_factors() {
+    std::vector<Ex> all;
     for (const ComplexQuotient& t : presentations_.of(*parts_.tangential)) {
-      const Ex quotient = all_.divide(normal, complex_.modulus(t));
+      const Ex quotient = all_.power(complex_.modulus(t), -1);
       if (parts_.drive == nullptr) {
-        offer(quotient);
+        all.push_back(quotient);
         continue;
       }
       for (const ComplexQuotient& d : drive(parts_.tangential, t)) {
-        offer(all_.multiply(quotient, joined(t, d)));
-        for (const Ex& compliance : compliances(t, d)) offer(all_.multiply(normal, compliance));
+        all.push_back(all_.multiply(quotient, joined(t, d)));
+        for (const Ex& compliance : compliances(t, d)) all.push_back(compliance);
       }
     }
-    if (parts_.drive == nullptr) return;
-    for (const ComplexQuotient& d : drive(nullptr, {})) beside_and_behind(normal, d);
+    if (parts_.drive == nullptr) return all;
+    for (const ComplexQuotient& d : drive(nullptr, {})) beside_and_behind(all, d);
+    return all;
   }
 
-  void beside_and_behind(const Ex& normal, const ComplexQuotient& d) {
+  void beside_and_behind(std::vector<Ex>& all, const ComplexQuotient& d) {
     for (const ComplexQuotient& t : presentations_.of(*parts_.tangential))
       for (const ComplexQuotient& whole : presentations_.beside(*parts_.tangential, d))
-        offer(all_.product({{normal, 1},
-                            {complex_.modulus(t), -1},
-                            {complex_.modulus(whole), 1},
-                            {complex_.modulus(d), -1}}));
+        all.push_back(all_.product(
+            {{complex_.modulus(t), -1}, {complex_.modulus(whole), 1}, {complex_.modulus(d), -1}}));
     for (const ComplexQuotient& j : {reciprocal(d), complex_.cartesian(reciprocal(d))})
       for (const ComplexQuotient& whole : presentations_.behind(*parts_.tangential, j))
-        offer(all_.multiply(normal, complex_.modulus(whole)));
+        all.push_back(complex_.modulus(whole));
   }
 
   Expressions& all_;

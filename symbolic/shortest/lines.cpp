@@ -1,8 +1,6 @@
 #include "shortest/lines.hpp"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 #include "formula/dialect.hpp"
 #include "formula/names.hpp"
@@ -18,8 +16,6 @@ constexpr std::size_t longest_line = 90, least_part = 16;
 
 // Operations of a letter that has a line although it is used once.
 constexpr int least_named_once = 4;
-
-constexpr std::array leading_names{"mu0", "omega", "du_z"};
 
 Form digits_form(std::int64_t value) {
   return {Form::Kind::number, std::to_string(value), {}, {}, {}, 1};
@@ -69,6 +65,27 @@ std::optional<Form> root_below(const Form& factor) {
     return Form{Form::Kind::root, "", std::move(inside.under), {}, {}, 1};
   std::swap(inside.over, inside.under);
   return Form{Form::Kind::root, "", {inside}, {}, {}, 1};
+}
+
+/// (b/a)^2 of (a/b)^2 below a bar.
+std::optional<Form> power_above(const Form& below) {
+  if (below.kind != Form::Kind::power || below.over[0].kind != Form::Kind::product ||
+      below.over[0].under.empty())
+    return std::nullopt;
+  Form turned = below;
+  std::swap(turned.over[0].over, turned.over[0].under);
+  return turned;
+}
+
+/// mu0 omega^2 du_z
+void put_behind_mu0(std::vector<Form>& factors) {
+  const auto is_power = [](const Form& factor) {
+    return factor.kind == Form::Kind::power && factor.over[0].text == "omega";
+  };
+  const auto power = std::find_if(factors.begin(), factors.end(), is_power);
+  const auto is_mu0 = [](const Form& factor) { return factor.text == "mu0"; };
+  const auto mu0 = std::find_if(factors.begin(), power, is_mu0);
+  if (power != factors.end() && mu0 != power) std::rotate(mu0 + 1, power, power + 1);
 }
 
 ExLines meanings_and(const Ex& velocity, const std::vector<NamedLine>& definitions) {
@@ -243,11 +260,18 @@ Form Lines::of(Index i) const {
   return name == names_.end() ? written(i) : name_form(own_name(name->second));
 }
 
-// What leads v* is three names, v* itself where both stiffnesses are equal and the drive is rigid.
+/// mu0 omega du_z, or without omega where that cancels or is a factor like others.
+std::vector<const char*> Lines::leading_names(ExNode leading) const {
+  if (omega_cancels_ || all_.operations(leading) < 2) return {"mu0", "du_z"};
+  return {"mu0", "omega", "du_z"};
+}
+
+// What leads v* is several names, v* itself where both stiffnesses are equal and the drive is
+// rigid.
 Form Lines::symbol(ExNode node) const {
   if (all_.leads(node)) {
     std::vector<Form> factors;
-    for (const char* name : leading_names) factors.push_back(name_form(name));
+    for (const char* name : leading_names(node)) factors.push_back(name_form(name));
     return {Form::Kind::product, "", std::move(factors), {}, {}, 1};
   }
   if (!all_.meaning(node).is_zero()) return meaning(node);
@@ -300,9 +324,7 @@ Form Lines::product(const FormulaStep& step) const {
   for (const StepPart& part : step.parts) {
     const FormulaStep& inner = steps_.steps()[part.step];
     if (inner.kind == FormulaStep::Kind::symbol && all_.leads(inner.node)) {
-      for (const char* name : leading_names)
-        if (!omega_cancels_ || std::string_view(name) != "omega")
-          put(name_form(name), part.sign < 0);
+      for (const char* name : leading_names(inner.node)) put(name_form(name), part.sign < 0);
       continue;
     }
     Form factor = of(part.step);
@@ -319,6 +341,9 @@ Form Lines::product(const FormulaStep& step) const {
   }
   std::sort(over.begin(), over.end(), before);
   std::sort(under.begin(), under.end(), before);
+  put_behind_mu0(over);
+  if (over.empty() && under.size() == 1)
+    if (std::optional<Form> turned = power_above(under[0])) return *std::move(turned);
   if (under.empty() && over.size() == 1) return over[0];
   return {Form::Kind::product, "", std::move(over), std::move(under), {}, 1};
 }

@@ -44,6 +44,7 @@ class Lines {
   Form product(const FormulaStep& step) const;
   Form meaning(ExNode symbol) const;
   Form symbol(ExNode node) const;
+  std::vector<const char*> leading_names(ExNode leading) const;
 
   const Expressions& all_;
   const Measures& measures_;
@@ -51,7 +52,7 @@ class Lines {
   Steps steps_;
   Parity parity_;
   bool omega_cancels_ = false;  ///< in front of the whole
-  std::vector<Index> lines_;  ///< in their order
+  std::vector<Index> lines_;    ///< in their order
   std::vector<Index> divided_;
   std::map<Index, std::string> names_;
 };

@@ -95,7 +95,8 @@ Ex Presentations::number(const Amount& amount) {
 }
 
 ComplexQuotient Presentations::damper(const Ex& c, const char* letter) {
-  return {from_imaginary(named(letter, all_.multiply(omega_, c)))};
+  const Ex loss = all_.multiply(omega_, c);
+  return {from_imaginary(dampers_named_ ? named(letter, loss) : loss)};
 }
 
 std::vector<ComplexQuotient> Presentations::of(const Element& e) {

@@ -28,8 +28,15 @@ class Presentations {
  public:
   using Choices = std::vector<std::vector<ComplexQuotient>>;
   using Lookup = std::function<Ex(const Symbol&)>;
-  Presentations(Expressions& all, Ex omega, Lookup symbol, const Thrift& thrift)
-      : all_(all), complex_(all), omega_(omega), symbol_(std::move(symbol)), thrift_(thrift) {}
+  /// `dampers_named`: W = omega c is a letter, which nothing looks into.
+  Presentations(Expressions& all, Ex omega, Lookup symbol, const Thrift& thrift,
+                bool dampers_named = true)
+      : all_(all),
+        complex_(all),
+        omega_(omega),
+        symbol_(std::move(symbol)),
+        thrift_(thrift),
+        dampers_named_(dampers_named) {}
 
   /// Of the stiffness, a few, those most promising first.
   std::vector<ComplexQuotient> of(const Network& network);
@@ -73,6 +80,7 @@ class Presentations {
   Ex omega_;
   Lookup symbol_;
   Thrift thrift_;
+  bool dampers_named_;
 };
 
 /// Networks of the same form have the same number.

@@ -42,6 +42,11 @@ std::size_t elements_of(const Problem& problem) {
   return elements;
 }
 
+FoundForm shorter(FoundForm a, FoundForm b) {
+  const bool second = b.form && (!a.form || b.form->operations < a.form->operations);
+  return second ? std::move(b) : std::move(a);
+}
+
 FoundForm find_form(const Problem& problem, const DimensionlessGroups* groups) {
   const AlgebraLock lock;
   if (problem->receptance() != nullptr)
@@ -50,10 +55,15 @@ FoundForm find_form(const Problem& problem, const DimensionlessGroups* groups) {
     return {{},
             fmt::format("of {} elements, more than {}, no formula fits a page", elements,
                         elements_on_page)};
-  return first_that_fits([&](const Thrift& thrift) {
-    Alphabet alphabet(problem, groups);
-    return found_form(alphabet, thrift);
-  });
+  const auto with = [&](OmegaPlace omega) {
+    return first_that_fits([&](const Thrift& thrift) {
+      Alphabet alphabet(problem, groups, omega);
+      return found_form(alphabet, thrift);
+    });
+  };
+  FoundForm usual = with(OmegaPlace::in_front);
+  if (groups != nullptr) return usual;  // where omega is 1
+  return shorter(std::move(usual), with(OmegaPlace::anywhere));
 }
 
 }  // namespace

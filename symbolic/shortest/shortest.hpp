@@ -2,7 +2,9 @@
 // in named steps: the letters that people use (g = K_n/K_t, Z + i V = D, T = omega tau, W = omega
 // c), then what is used more than once. Several ways to write the networks (storage and loss, one
 // denominator, compliances) are begun with, and each is shortened by moves of algebra; of all, the
-// one with the fewest + - * / ^ sqrt abs is taken.
+// one with the fewest + - * / ^ sqrt abs is taken. All of it is tried with omega in front and in
+// letters, as people have it, and once more with omega as a factor like others: v* = mu0 du_z
+// |...|, multiplied through by omega, is taken where it is shorter.
 #pragma once
 
 #include <optional>

@@ -218,12 +218,43 @@ BOOST_AUTO_TEST_CASE(formulas_read_as_people_write_them) {
              "v* = mu0*omega*du_z*sqrt((k0 + g*kd + G1*T1 + G2*T2)^2 + (G1 + G2)^2)/kd");
   // Three dampers one behind the other, and the real part before the imaginary one.
   BOOST_TEST(text_for(scene_of("normal = \"k0 | (c1 - c2 - c3)\"\npoisson = \"nu\"", "kd")) ==
-             "g = (2 - nu)/(2*(1 - nu)); W = omega/(1/c1 + 1/c2 + 1/c3); "
-             "v* = mu0*omega*du_z*sqrt((k0 + g*kd)^2 + W^2)/kd");
+             "g = (2 - nu)/(2*(1 - nu)); "
+             "v* = mu0*omega*du_z*sqrt((g + k0/kd)^2 + (omega/(kd/c1 + kd/c2 + kd/c3))^2)");
   // omega cancels.
   BOOST_TEST(text_for(scene_of("normal = \"kn | cn\"\ntangential = \"k1 - c1\"", "kd")) ==
              "W = omega*c1; "
              "v* = mu0*du_z*sqrt((1 + (W/k1 + W/kd)^2)*(kn^2 + (omega*cn)^2))/c1");
+}
+
+// By hand: |K_t|/omega = |ct + kt/(i omega)| in place of |kt + i omega ct|, and the like.
+BOOST_AUTO_TEST_CASE(formulas_are_multiplied_through_by_omega_where_that_is_shorter) {
+  BOOST_TEST(text_for(scene_of("normal = \"kn\"\ntangential = \"kt | ct\"", "")) ==
+             "v* = mu0*du_z*kn/sqrt(ct^2 + (kt/omega)^2)");
+  BOOST_TEST(text_for(scene_of("normal = \"kn | cn\"\ntangential_ratio = 1", "kd | cd", "m")) ==
+             "Z = kd - m*omega^2; "
+             "v* = mu0*du_z*sqrt(((kn + Z)^2 + (omega*(cd + cn))^2)/(cd^2 + (Z/omega)^2))");
+  BOOST_TEST(text_for(scene_of("normal = \"c0 | (c1 - c2)\"\ntangential = \"kt\"", "")) ==
+             "v* = mu0*omega^2*du_z*(c0 + c1*c2/(c1 + c2))/kt");
+  // Normal, tangential, drive and mass, operations of a hand form.
+  const std::string spring = "kd", damped = "kd | cd";
+  const struct {
+    std::string normal, tangential, drive, mass;
+    int by_hand;
+  } rows[] = {
+      {"k0 - (k1 | c0) - c1 - c2", "kt0 - ct0", spring, "", 27},
+      {"k0 | (c0 - (c1 | c2)) | c3", "ct0 - (kt0 | ct1)", damped, "", 34},
+      {"k0 - k1", "kt0 - ct0", spring, "m", 16},
+      {"k0 - k1", "kt0 | ct0", damped, "", 22},
+      {"k0 - (c0 | c1) - k1", "ct0 - (kt0 | kt1)", spring, "", 20},
+  };
+  for (const auto& row : rows) {
+    const Scene scene =
+        scene_of("normal = \"" + row.normal + "\"\ntangential = \"" + row.tangential + "\"",
+                 row.drive, row.mass);
+    const ShortestForm form = form_for(scene).value();
+    check(scene, form);
+    BOOST_TEST(form.operations <= row.by_hand, text_of(form));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(other_scenes_have_a_formula_that_is_proved) {
