@@ -7,6 +7,7 @@
 
 #include "base/identifiers.hpp"
 #include "base/plain_text.hpp"
+#include "base/spelled_names.hpp"
 #include "base/trimmed.hpp"
 #include "network/catalogue.hpp"
 
@@ -256,6 +257,7 @@ class Parser {
     const Place at = here();
     std::size_t end = position_;
     while (end < text_.size() && is_of_name(text_[end])) ++end;
+    refuse_name_beyond_ascii(text_, position_, place_);
     if (end == position_) refuse(found(), expected);
     std::string name(text_.substr(position_, end - position_));
     if (const auto why = unsafe_as_identifier(name))

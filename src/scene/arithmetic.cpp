@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/identifiers.hpp"
+#include "base/spelled_names.hpp"
 #include "network/expression.hpp"
 #include "scene/cursor.hpp"
 #include "scene/quantities.hpp"
@@ -69,6 +70,7 @@ class ArithmeticParser : Cursor {
   AmountTreePointer operand() {
     const char next = peek();
     if (is_digit(next)) return number();
+    refuse_name_beyond_ascii(text_, position_, place_);
     if (is_letter(next)) return name();
     if (next != '(') refuse(found(), "a name, a number above 0 or \"(\"");
     return group();

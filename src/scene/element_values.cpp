@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/identifiers.hpp"
+#include "base/spelled_names.hpp"
 #include "scene/arithmetic.hpp"
 #include "scene/document.hpp"
 
@@ -33,6 +34,7 @@ void ElementValues::read() {
     complaints_.attempt([&, &name = name, &use = use] { read(name, use, taken); });
   complaints_.attempt([&] { read_other_keys(uses_); });
   if (complaints_.any()) read_unused();
+  refuse_names_beyond_ascii();
 }
 
 void ElementValues::read(const std::string& name, const ElementUse& use,
@@ -72,6 +74,15 @@ std::vector<std::string> ElementValues::without_value() const {
 
 // Where a network could not be read nobody knows what its elements are, but by their letters; and
 // below an indenter on a drive not whether they are the half-space's.
+void ElementValues::refuse_names_beyond_ascii() {
+  if (elements_ == nullptr) return;
+  for (const auto& [key, value] : *elements_) {
+    const Place place = document::place_of(value, file_);
+    if (const auto complaint = complaint_beyond_ascii(key.str(), 0, place))
+      complaints_.add(*complaint);
+  }
+}
+
 void ElementValues::read_unused() {
   if (elements_ == nullptr) return;
   const bool of_half_space = document_.contains("indenter");

@@ -51,6 +51,7 @@ class ElementValues {
   void read_array(const std::string& name, const ElementUse& use, const toml::node* node);
   void read_entry(const Symbol& entry, const ElementUse& use, const toml::node* node);
   void read_unused();
+  void refuse_names_beyond_ascii();
   std::vector<std::string> without_value() const;
   void put(const Symbol& symbol, const TypedNumber& number, const Place& place);
 

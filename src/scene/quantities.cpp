@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/identifiers.hpp"
+#include "base/spelled_names.hpp"
 #include "scene/new_scene.hpp"
 
 namespace vcrit {
@@ -42,7 +43,10 @@ std::optional<TypedNumber> number(const toml::node& node, Dimension dimension,
   if (node.ref<std::string>() == to_be_filled_in)
     throw InputError(place, fmt::format("{} = \"{}\"", name, to_be_filled_in), describe(dimension),
                      fmt::format("{} still has its question mark: put its value there", name));
-  return parse_typed(node.ref<std::string>(), dimension, place);
+  const auto& text = node.ref<std::string>();
+  // A value begins with its number.
+  if (!text.empty() && name_beyond_ascii(text, 0) == text) refuse_name_beyond_ascii(text, 0, place);
+  return parse_typed(text, dimension, place);
 }
 
 std::optional<std::string> bare_name(const toml::node& node) {
@@ -58,6 +62,7 @@ std::optional<std::string> bare_name(const toml::node& node) {
 
 void check_symbol_name(const std::string& name, const char* what, const Place& place,
                        std::set<std::string> taken) {
+  refuse_name_beyond_ascii(name, 0, place);
   if (const auto why = unsafe_as_identifier(name))
     throw InputError(place, fmt::format("name \"{}\", which {}", name, *why), "another name");
   taken.insert(keys().begin(), keys().end());

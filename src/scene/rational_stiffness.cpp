@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/identifiers.hpp"
+#include "base/spelled_names.hpp"
 #include "network/expression.hpp"
 #include "network/named_foster.hpp"
 #include "scene/cursor.hpp"
@@ -82,6 +83,7 @@ class StiffnessParser : Cursor {
     const char next = peek();
     if (digit_or_point(next)) return number();
     if (next == '(') return group();
+    refuse_name_beyond_ascii(text_, position_, place_);
     if (!is_letter(next)) refuse(found(), "s, a number, the name of an element or \"(\"");
     if (next != 's' || is_part_of_name(position_ + 1)) return name();
     ++position_;

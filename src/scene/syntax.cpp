@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/numbers.hpp"
+#include "base/spelled_names.hpp"
 #include "base/trimmed.hpp"
 #include "base/unit_advice.hpp"
 
@@ -101,6 +102,9 @@ InputError syntax_error(const std::string& text, const Place& place,
   if (const std::string twice = defined_twice(description); !twice.empty())
     return {place, fmt::format("\"{}\" for the second time", twice), "each name once",
             "leave one of them out"};
+  for (std::size_t i = 0; i < std::min(line.find_first_of("=#"), line.size()); ++i)
+    if (const auto name = complaint_beyond_ascii(line, i, {place.file, place.line, 1}))
+      return *name;
   return {place, fmt::format("no TOML ({})", description), "a scene in TOML"};
 }
 
