@@ -82,9 +82,13 @@ class Units(Case):
         return ast.parse(re.sub(r"(?<=\w)_(?=\w)", "", plain), mode="eval").body
 
     def lines(self, *forms):
-        known, checked = self.nomenclature(*forms), 0
-        found = self.answer("derive", "s.toml", *forms)
-        for line in found["definitions"] + found["lines"]:
+        known, found = self.nomenclature(*forms), self.answer("derive", "s.toml", *forms)
+        return self.equations(found["definitions"] + found["lines"], known)
+
+    def equations(self, lines, known):
+        """How many measure the same on both sides; `known` gets what they define."""
+        checked = 0
+        for line in lines:
             left, right = line["text"].split(" = ", 1)
             if "''" in line["text"]:
                 continue  # a derivative by time
@@ -108,6 +112,47 @@ class Units(Case):
                     self.write(scene(**changed, angular_frequency=None, amplitude=None, indentation=None,
                                      coefficient=None))
                     self.assertGreater(self.lines(*forms), 7)
+
+    def expression(self, text, known, measure):
+        with self.subTest(expression=text):
+            measured(self.side(text), known).same(measure)
+        return 1
+
+    def findings(self):
+        """Limits, asymptotes, resonances and sensitivities; how many were looked at."""
+        options = ["--limits", "--sensitivities"]
+        known, found = self.nomenclature(*options), self.answer("derive", "s.toml", *options)
+        checked = self.equations(found["definitions"] + found["lines"] + found.get("sensitivity_definitions", []), known)
+        velocity, omega = known["v"], known["omega"]
+        for each in found["limits"] + found["asymptotes"] + found["resonances"] + found["sensitivities"]:
+            names = dict(known)
+            checked += self.equations(each["definitions"], names)
+            if "power" in each:
+                checked += self.expression(each["coefficient"]["text"], names, velocity.times(omega, -each["power"]))
+            elif "condition" in each:
+                # A sum that vanishes measures something, the same in each term.
+                measured(self.side(each["condition"]["text"].split(" = ")[0]), names)
+                for part, measure in (("frequency", omega), ("real_part", None), ("imaginary_part", None)):
+                    if each[part] and measure:
+                        checked += self.expression(each[part]["text"], names, measure)
+                    elif each[part]:
+                        measured(self.side(each[part]["text"].split(" = ")[0]), names)
+            elif "parameter" in each:
+                parameter = names[re.sub(r"[*_]", "", each["parameter"]).split("[")[0]]
+                checked += self.expression(each["relative"]["text"], names, PLAIN)
+                checked += self.expression(each["derivative"]["text"], names, velocity.times(parameter, -1))
+            else:
+                checked += self.expression(each["text"], names, velocity)
+        return checked
+
+    def test_what_is_asked_besides_measures_what_it_is(self):
+        for changed in ({"normal": "zener(k0, k1, c1)", **ELASTIC}, {"normal": "kn | cn", "network": "kd | cd", "mass": "m"},
+                        {"normal": "burgers(k1, c1, k2, c2)", "network": "kd | cd"},
+                        {"normal": "prony(k0, k, tau, 6)", **ELASTIC}, {"normal": "kn | cn", "tangential": "kt | ct",
+                                                                       "network": "kd - (mass(m1) | k3)"}):
+            with self.subTest(scene=changed):
+                self.write(scene(**changed, angular_frequency=None, amplitude=None, indentation=None, coefficient=None))
+                self.assertGreater(self.findings(), 25)
 
     def test_a_wrong_unit_is_found(self):
         self.write(scene(normal="zener(k0, k1, c1)", **ELASTIC))
