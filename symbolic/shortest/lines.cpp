@@ -198,12 +198,34 @@ void Lines::put_in_order() {
             [&](Index a, Index b) { return steps_.steps()[a].node < steps_.steps()[b].node; });
   std::set<Index> placed(lines_.begin(), rest), open(rest, lines_.end());
   for (auto next = rest; next != lines_.end(); ++next) {
-    const auto ready = std::find_if(open.begin(), open.end(),
-                                    [&](Index line) { return needs_only(line, placed, open); });
+    const auto is_ready = [&](Index line) { return needs_only(line, placed, open); };
+    auto ready = std::find_if(open.begin(), open.end(), is_ready);
+    if (next != rest) {
+      const auto more = std::find_if(ready, open.end(), [&](Index line) {
+        return is_of_series(*(next - 1), line) && is_ready(line);
+      });
+      if (more != open.end()) ready = more;
+    }
     *next = *ready;
     placed.insert(*ready);
     open.erase(ready);
   }
+}
+
+/// Whether there are enough lines like these two for a series, which is printed as one.
+bool Lines::is_of_series(Index a, Index b) const {
+  const auto alike = [this](Index one, Index other) {
+    const FormulaStep &first = steps_.steps()[one], &second = steps_.steps()[other];
+    return first.kind == second.kind &&
+           std::equal(first.parts.begin(), first.parts.end(), second.parts.begin(),
+                      second.parts.end(), [this](const StepPart& x, const StepPart& y) {
+                        return x.sign == y.sign &&
+                               steps_.steps()[x.step].kind == steps_.steps()[y.step].kind;
+                      });
+  };
+  return alike(a, b) && std::count_if(lines_.begin(), lines_.end(), [&](Index line) {
+                          return alike(a, line);
+                        }) >= shortest_series;
 }
 
 bool Lines::needs_only(Index step, const std::set<Index>& placed,
