@@ -159,6 +159,17 @@ class Facts {
     }
   }
 
+  /// "K_n(0) = 0" at the end of a reason as mathematics.
+  static Prose at_rest_in_formulas(const std::string& reason) {
+    for (const std::string stiffness : {"K_n", "E"}) {
+      const std::string end = ": " + stiffness + "(0) = 0";
+      if (reason.ends_with(end))
+        return {reason.substr(0, reason.size() - end.size()) + ", ", stated(quantity(stiffness), 0),
+                " at rest"};
+    }
+    return reason;
+  }
+
   void tell_sinking() {
     if (!problem_->load || problem_->indenter || carries_load(problem_)) return;
     const GiNaC::ex load = symbol(problem_->load->symbol);
@@ -169,7 +180,9 @@ class Facts {
 
   void tell_closed_amplitude() {
     if (const std::string reason = never_closed(); !reason.empty()) {
-      found_.push_back({"never_closed", "No amplitude keeps the contact closed: " + reason});
+      Prose words = "No amplitude keeps the contact closed: ";
+      words += at_rest_in_formulas(reason);
+      found_.push_back({"never_closed", std::move(words)});
       return;
     }
     const std::string place = problem_->indenter ? " at the indenter's centre" : "";
