@@ -174,8 +174,9 @@ class Parser {
     } while (accept(','));
     close(opening);
     if (names.size() != rheology.arguments.size())
-      throw InputError(at, fmt::format("{} with {} names", name, names.size()),
-                       rheology.signature(name));
+      throw InputError(
+          at, fmt::format("{} with {} name{}", name, names.size(), names.size() == 1 ? "" : "s"),
+          rheology.signature(name));
     if (!rheology.has_arrays()) {
       count(names.size(), at);
       return rheology.build(names, 0);

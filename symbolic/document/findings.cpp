@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "analysis/expanded.hpp"
 #include "analysis/half_space.hpp"
 #include "analysis/residues.hpp"
@@ -27,6 +29,23 @@ constexpr std::size_t most_characters = 10'000'000;
 // All of them together, in definitions of v*, as measured: five as text, twenty in JSON, which has
 // LaTeX and the derivatives besides.
 constexpr std::size_t lengths_of_sensitivities = 24;
+
+/// Of a document for one of text, as measured: MathML has a tag for each name and sign.
+std::size_t characters_for_one(Format format) {
+  switch (format) {
+    case Format::text:
+    case Format::system:
+      return 1;
+    case Format::latex:
+    case Format::markdown:
+      return 2;
+    case Format::json:
+      return 5;
+    case Format::html:
+      break;
+  }
+  return 16;
+}
 
 void refuse_large(const Derivation& derivation, std::size_t formulas, const char* what) {
   const std::size_t length = length_of_definitions(derivation);
@@ -82,9 +101,11 @@ Findings findings_of(const Problem& problem, const DocumentOptions& options) {
   write_form(findings, derivation, options);
   findings.abbreviated.names = names_beside(findings.shortest, derivation);
   const std::size_t symbols = findings.derivation.parameters.size();
-  if (options.limits) refuse_large(findings.derivation, 2 * symbols, "limits");
+  const std::size_t each = characters_for_one(options.format);
+  if (options.limits) refuse_large(findings.derivation, 2 * each * symbols, "limits");
   if (options.sensitivities)
-    refuse_large(findings.derivation, lengths_of_sensitivities, "sensitivities");
+    refuse_large(findings.derivation, std::max(lengths_of_sensitivities, 5 * each),
+                 "sensitivities");
   if (problem->indenter) findings.half_space = half_space_lines(derivation);
   if (problem->separation) findings.separation = separation_lines(derivation);
   if (options.limits) {

@@ -19,16 +19,23 @@ namespace {
 
 using GiNaC::ex;
 
-/// even + i omega odd, in this order.
+/// Whether omega is a factor of it: loss factors are those of s/omega, written over one bar.
+bool has_factor_omega(const EvenOdd& all) {
+  return !all.even.is_zero() && all.even.expand().coeff(omega(), 0).is_zero();
+}
+
+/// even + i omega odd, in this order; over omega, where that is a factor.
 Signed apart(const EvenOdd& all) {
-  const EvenOdd split{by_frequency(all.even), by_frequency(all.odd)};
+  const bool over_omega = has_factor_omega(all);
+  const ex even_part = over_omega ? (all.even / omega()).expand() : all.even;
+  const EvenOdd split{by_frequency(even_part), by_frequency(all.odd)};
   Form sum{Form::Kind::sum, "", {}, {}, {}, 1};
   const Signed even = form_of(split.even);
   if (even.form.kind == Form::Kind::sum)
     sum.terms = even.form.terms;
   else if (!split.even.is_zero())
     sum.terms.push_back(even);
-  sum.terms.push_back(form_of(GiNaC::I * omega() * split.odd));
+  sum.terms.push_back(form_of(GiNaC::I * (over_omega ? ex(1) : omega()) * split.odd));
   if (sum.terms.size() == 1) return sum.terms.front();
   return {false, std::move(sum)};
 }
@@ -49,7 +56,7 @@ Powers in_order(Powers parts) {
 struct NamedAmplitude {
   ex whole;
   Factors product;
-  std::vector<Equation> polynomials;  ///< P_1 = even + i omega odd
+  std::vector<Equation> polynomials;  ///< P_1 = even + i omega odd, over omega where that can be
 };
 
 NamedAmplitude named_amplitude(const Factors& amplitude) {
@@ -62,8 +69,11 @@ NamedAmplitude named_amplitude(const Factors& amplitude) {
       part = quantity("P_" + std::to_string(result.polynomials.size() + 1));
       result.polynomials.push_back({form_of(part).form, apart(split), {}});
     }
-    for (int i = 0; i < std::abs(exponent); ++i)
+    const bool takes_omega = !part.is_equal(factor) && has_factor_omega(split);
+    for (int i = 0; i < std::abs(exponent); ++i) {
       result.product.multiply(part, exponent > 0 ? 1 : -1);
+      if (takes_omega) result.product.multiply(omega(), exponent > 0 ? 1 : -1);
+    }
   }
   return result;
 }

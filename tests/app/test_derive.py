@@ -195,6 +195,33 @@ class Derive(Case):
                     if result.returncode == 3:
                         self.assertRegex(result.stderr, r"[\d.e+]+ terms")
 
+    def test_every_format_and_option_of_the_largest_scenes_ends_soon_or_says_its_size(self):
+        """At most 10 s of processor time and 10 MB, in each format with all that can be asked for."""
+        node = lambda i, j: {(0, 0): "a", (5, 5): "b"}.get((i, j), f"{i}.{j}")
+        pairs = [(node(i, j), node(i + a, j + b)) for i in range(6) for j in range(6)
+                 for a, b in ((0, 1), (1, 0)) if i + a < 6 and j + b < 6]
+        grid = {"grid": (["a", "b"], [[f"{'kc'[n % 2]}{n}", *pair] for n, pair in enumerate(pairs)])}
+        drive = {"network": "kd | cd", "mass": "m"}
+        measured = (PROJECT / "tests/matrix/kinds/measured_contact.toml").read_text()
+        for table in ("pad.csv", "pad_tangential.csv"):
+            self.write((PROJECT / "tests/matrix/kinds" / table).read_text(), table)
+        for parts, changed in (([{}, grid], {"normal": "grid", "poisson": "nu", "tangential": None, **drive}),
+                               ([], {"normal": "generalized_kelvin(k, tau, 48)", "tangential": "kt", "mass": "m",
+                                     "network": "ladder(q, c, 20)"}),
+                               ([], None)):
+            file = self.write(measured) if changed is None else self.scene(*parts, **SYMBOLS | changed)
+            asked = ["--limits", "--sensitivities"]
+            words = [["--format", kind, *asked] for kind in ("text", "latex", "markdown", "html", "json")]
+            words += [["--format", kind] for kind in ("sympy", "mathematica", "maple", "maxima", "mathml", "c")]
+            for each in [*words, ["--format", "latex", "--standalone", "--limits"], ["--material"]]:
+                with self.subTest(words=each, scene=changed or "measured contact"):
+                    limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (10, 10))
+                    result = self.run_program("derive", file, *each, preexec_fn=limit)
+                    self.assertIn(result.returncode, (0, 3), result.stderr)
+                    self.assertLess(len(result.stdout.encode()), 10_000_000)
+                    if result.returncode == 3:
+                        self.assertRegex(result.stderr, r"some [\d.e+]+ MB")
+
     def test_large_networks_derive(self):
         ladder = "k100"
         for i in range(99, 0, -1):

@@ -153,6 +153,17 @@ BOOST_AUTO_TEST_CASE(steps_have_the_ratio_and_the_stiffness_by_name) {
   }
 }
 
+// By hand: k (1 + i eta) has no omega, though eta stands beside s/omega in k (1 + eta s/omega).
+BOOST_AUTO_TEST_CASE(loss_factors_leave_no_omega_in_steps) {
+  const std::string text = print(
+      test::scene_of("normal = \"lossy(kn, eta)\"\ntangential = \"lossy(kt, zeta)\"", "kd", "m"),
+      {});
+  for (const char* expected :
+       {"    P_1 = 1 + i*eta\n", "    P_2 = kt + Z + i*kt*zeta\n", "    P_3 = 1 + i*zeta\n",
+        "    B = -mu0*du_z*kn*P_1*P_2/(kt*P_3*Z)\n"})
+    BOOST_TEST((text.find(expected) != std::string::npos), text);
+}
+
 // Short lines of one kind are below one heading, and a Maxwell branch is one fraction.
 BOOST_AUTO_TEST_CASE(short_lines_are_joined) {
   const std::string text =

@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(with_values_it_has_numbers_and_curves) {
   BOOST_TEST(has(page, "<h3>In numbers</h3>"));
   for (const char* figure : {"stiffness", "loss_factor", "relaxation", "creep"})
     BOOST_TEST(has(page, "<figure id=\"normal_" + std::string(figure) + "\">"), figure);
-  BOOST_TEST(has(page, "0.166667"));  // c1/k1
+  BOOST_TEST(has(page, "0.166667"));                              // c1/k1
   BOOST_TEST(!std::regex_search(page, std::regex("\\bnan\\b")));  // but in "resonance"
 }
 
@@ -133,6 +133,17 @@ BOOST_AUTO_TEST_CASE(a_grid_has_a_page_without_its_ends) {
       page_of_scene("[contact]\nnormal = \"grid\"\npoisson = 0.3\n" + grid(12));
   BOOST_TEST(has(page, "The relaxation spectrum has no closed form"));
   BOOST_TEST(!has(page, "Equilibrium stiffness"));
+}
+
+// Each of its limits is as long as v*: 13 MB before they were counted.
+BOOST_AUTO_TEST_CASE(limits_of_a_grid_are_left_out_and_that_is_said) {
+  const std::string page = page_of_scene(
+      "[contact]\nnormal = \"grid\"\npoisson = 0.3\n[drive]\nnetwork = \"kd | cd\"\n"
+      "[body]\nmass = \"m\"\n" +
+      grid(6));
+  BOOST_TEST(page.size() < 10'000'000u);
+  BOOST_TEST(has(page, "together they would have some"));
+  BOOST_TEST(!has(page_of_scene(zener), "together they would have some"));
 }
 
 BOOST_AUTO_TEST_CASE(texts_of_the_scene_are_escaped) {

@@ -6,6 +6,7 @@
 
 #include "analysis/retardation.hpp"
 #include "analysis/rheology.hpp"
+#include "analysis/sensitivities.hpp"
 #include "compare/formulas.hpp"
 #include "derivation/derivation.hpp"
 #include "formula/algebra_lock.hpp"
@@ -34,6 +35,15 @@ constexpr double most_terms_of_part = 100;
 // Of a stiffness at rest or at once: more are no formula that one reads, and those of a grid of
 // springs and dampers take minutes.
 constexpr double most_terms_of_end = 1000;
+
+// Bytes of limits, which are as long as v* each.
+constexpr double largest_limits = 10e6;
+
+/// Two limits a symbol, of which MathML has up to twenty characters for one of text.
+double size_of_limits(const symbolic::Derivation& derivation) {
+  return 2.0 * 20.0 * static_cast<double>(derivation.parameters.size()) *
+         static_cast<double>(symbolic::length_of_definitions(derivation));
+}
 
 /// One of the scene's networks.
 struct Material {
@@ -236,7 +246,11 @@ std::string material_page(const Problem& problem) {
     page["materials"].push_back(material_record(problem, material));
   page["velocity"] = record::page_of(shown_velocity(derivation));
   page["velocity"]["equation"] = derivation.equation;
-  const std::vector<LimitLine> limits = limits_of(derivation);
+  const double size = size_of_limits(derivation);
+  const bool fit = size <= largest_limits;
+  const std::vector<LimitLine> limits = fit ? limits_of(derivation) : std::vector<LimitLine>();
+  page["size_of_limits"] = nullptr;
+  if (!fit) page["size_of_limits"] = fmt::format("{:.2g} MB", 1e-6 * size);
   page["limits"] = record::page_of(limits);
   page["many_limits"] = limits.size() > shown_limits;
   return document("material", page, {heading, true, {}});
