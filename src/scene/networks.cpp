@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/identifiers.hpp"
-#include "base/spelled_names.hpp"
 #include "network/expression.hpp"
 #include "network/graph.hpp"
 #include "network/law.hpp"
 #include "network/masses.hpp"
 #include "scene/arithmetic.hpp"
 #include "scene/document.hpp"
+#include "scene/quantities.hpp"
 #include "scene/rational_stiffness.hpp"
 
 namespace vcrit {
@@ -64,11 +63,7 @@ Networks::Networks(const toml::table& document, std::string file, Complaints& co
   for (const auto& [key, value] : *named_) {
     const std::string name(key.str());
     const Place place = place_of(value, file_);
-    if (const auto letters = complaint_beyond_ascii(name, 0, place))
-      complaints_.add(*letters);
-    else if (const auto why = unsafe_as_identifier(name))
-      complaints_.add(
-          {place, fmt::format("network \"{}\", a name that {}", name, *why), "another name"});
+    complaints_.attempt([&] { check_name("network", name, place); });
     if (elements_ != nullptr && elements_->contains(name))
       complaints_.add(
           {place, fmt::format("\"{}\" as a network and as an element", name), "one of the two"});
@@ -186,10 +181,7 @@ std::vector<std::string> Networks::arguments_of(const std::string& name) const {
     if (!each.is_string())
       throw InputError(place, fmt::format("argument {}", describe_node(each)), expected);
     const auto& argument = each.ref<std::string>();
-    refuse_name_beyond_ascii(argument, 0, place);
-    if (const auto why = unsafe_as_identifier(argument))
-      throw InputError(place, fmt::format("argument \"{}\", a name that {}", argument, *why),
-                       "another name");
+    check_name("argument", argument, place);
     if (named_->contains(argument))
       throw InputError(place, fmt::format("\"{}\" as a network and as an argument", argument),
                        "one of the two");

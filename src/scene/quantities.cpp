@@ -60,6 +60,13 @@ std::optional<std::string> bare_name(const toml::node& node) {
   return bare ? std::optional(text) : std::nullopt;
 }
 
+void check_name(const char* what, const std::string& name, const Place& place) {
+  refuse_name_beyond_ascii(name, 0, place);
+  if (const auto why = unsafe_as_identifier(name))
+    throw InputError(place, fmt::format("{} \"{}\", a name that {}", what, name, *why),
+                     "another name");
+}
+
 void check_symbol_name(const std::string& name, const char* what, const Place& place,
                        std::set<std::string> taken) {
   refuse_name_beyond_ascii(name, 0, place);

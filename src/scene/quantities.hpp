@@ -26,6 +26,9 @@ std::optional<TypedNumber> number(const toml::node& node, Dimension dimension,
 /// The bare name that stands for a value, if one does.
 std::optional<std::string> bare_name(const toml::node& node);
 
+/// Throws InputError for a name that is none in generated code. `what`: "network".
+void check_name(const char* what, const std::string& name, const Place& place);
+
 /// Throws InputError for a name that no symbol may have: one that could not stand in generated
 /// code, or is among `taken` or the keys by which commands speak of quantities. `what`: "an
 /// element".

@@ -214,18 +214,19 @@ void Lines::put_in_order() {
 
 /// Whether there are enough lines like these two for a series, which is printed as one.
 bool Lines::is_of_series(Index a, Index b) const {
-  const auto alike = [this](Index one, Index other) {
-    const FormulaStep &first = steps_.steps()[one], &second = steps_.steps()[other];
-    return first.kind == second.kind &&
-           std::equal(first.parts.begin(), first.parts.end(), second.parts.begin(),
-                      second.parts.end(), [this](const StepPart& x, const StepPart& y) {
-                        return x.sign == y.sign &&
-                               steps_.steps()[x.step].kind == steps_.steps()[y.step].kind;
-                      });
-  };
-  return alike(a, b) && std::count_if(lines_.begin(), lines_.end(), [&](Index line) {
-                          return alike(a, line);
-                        }) >= shortest_series;
+  const auto like = [&](Index line) { return is_like(a, line); };
+  return like(b) && std::count_if(lines_.begin(), lines_.end(), like) >= shortest_series;
+}
+
+/// Whether they differ in names alone.
+bool Lines::is_like(Index a, Index b) const {
+  const FormulaStep &first = steps_.steps()[a], &second = steps_.steps()[b];
+  return first.kind == second.kind && first.exponent == second.exponent &&
+         std::equal(first.parts.begin(), first.parts.end(), second.parts.begin(),
+                    second.parts.end(), [this](const StepPart& x, const StepPart& y) {
+                      return x.sign == y.sign && has_line(x.step) == has_line(y.step) &&
+                             (has_line(x.step) || is_like(x.step, y.step));
+                    });
 }
 
 bool Lines::needs_only(Index step, const std::set<Index>& placed,

@@ -35,6 +35,7 @@ class Lines {
   void give_names();
   void put_in_order();
   bool is_of_series(Index a, Index b) const;
+  bool is_like(Index a, Index b) const;
   bool needs_only(Index step, const std::set<Index>& placed, const std::set<Index>& open) const;
   bool divide_long_line();
   std::size_t length(Index step) const;

@@ -153,6 +153,16 @@ BOOST_AUTO_TEST_CASE(steps_have_the_ratio_and_the_stiffness_by_name) {
   }
 }
 
+// Nine units one behind the other are two lines, though each has two of its own.
+BOOST_AUTO_TEST_CASE(lines_of_one_kind_stand_together) {
+  const std::string text = print(
+      test::scene_of("normal = \"generalized_kelvin(k, tau, 9)\"\npoisson = \"nu\"", "kd", "m"),
+      {});
+  BOOST_TEST((text.find("    R_j = omega*tau[j]  (j = 1..9)\n"
+                        "    S_j = k[j] + k[j]*R_j^2  (j = 1..9)\n") != std::string::npos),
+             text);
+}
+
 // By hand: k (1 + i eta) has no omega, though eta stands beside s/omega in k (1 + eta s/omega).
 BOOST_AUTO_TEST_CASE(loss_factors_leave_no_omega_in_steps) {
   const std::string text = print(
