@@ -60,7 +60,7 @@ std::string names_in_scene(const std::vector<std::string>& words, const std::str
 
 bool takes_names(const CLI::Option& option) {
   const std::string name = names_of(option).back();
-  return name == "--set" || name == "--over";
+  return choices_of(option).empty() && (name == "--set" || name == "--over");
 }
 
 std::string options(const CLI::App& command, const std::string& begun) {

@@ -1,6 +1,7 @@
 // vcrit plot: friction over speed, v* over frequency, or one period of the motion, as a picture on
 // the terminal or in a file.
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <memory>
@@ -63,6 +64,17 @@ std::vector<Figure> figures_of(const PlotOptions& options, const Problem& proble
   throw Bug("a picture without a way to make it");
 }
 
+// An option that the picture has no use for is a mistake of somebody who expected another picture.
+void refuse_unused(const PlotOptions& options) {
+  if (!options.to.empty() && options.shown != Shown::friction)
+    throw InputError({"--to"}, fmt::format("\"{}\" with another picture", options.to),
+                     "friction over speed", "leave out --over, --of and --cycle");
+  if (options.shown != Shown::cycle)
+    if (const std::string given = options.speed.given(); !given.empty())
+      throw InputError({given}, "a picture of more than one speed", "--cycle with it",
+                       "--to SPEED is the largest speed of a picture of friction");
+}
+
 // Wrong names are found before anything is computed.
 std::filesystem::path file_of(const PlotOptions& options) {
   const std::filesystem::path out = options.out;
@@ -74,7 +86,12 @@ std::filesystem::path file_of(const PlotOptions& options) {
   return out;
 }
 
+/// For people at a terminal: what else may be drawn.
+constexpr const char* const other_pictures =
+    "more: --over frequency | --cycle | --to SPEED | --out FILE.svg";
+
 void plot(const PlotOptions& options) {
+  refuse_unused(options);
   const std::filesystem::path out = file_of(options);
   const Problem problem =
       options.scene.read(options.shown == Shown::frequency ? SceneOptions::Frequency::varied
@@ -90,9 +107,16 @@ void plot(const PlotOptions& options) {
     for (const Figure& figure : figures)
       fmt::print("{}{}", &figure == &figures.front() ? "" : "\n",
                  validation::figures::on_screen(figure));
+    if (isatty(STDOUT_FILENO) == 1) fmt::print("\n{}\n", other_pictures);
     return;
   }
   fmt::print("{}\n", out.string());
+}
+
+// A picture may be named by what lies across it, before the names are checked.
+std::string picture_over(std::string& name) {
+  if (name == "speed" || name == "velocity") name = "friction";
+  return {};
 }
 
 }  // namespace
@@ -102,10 +126,15 @@ void add_plot(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("plot", "Draw friction over speed, v* over frequency, or one period");
   options->scene.add_to(*command);
-  add_choice(
-      *command, "--of", options->shown,
+  CLI::Option* over = add_choice(
+      *command, "--over,--of", options->shown,
       {{"friction", Shown::friction}, {"frequency", Shown::frequency}, {"cycle", Shown::cycle}},
       "friction over speed; v* over frequency; force and velocity over one period");
+  over->transform(CLI::Validator(picture_over, ""));
+  command
+      ->add_flag_callback(
+          "--cycle", [options] { options->shown = Shown::cycle; }, "the same as --over cycle")
+      ->excludes(over);
   options->speed.add_to(*command, 0.5);
   command->add_option("--to", options->to,
                       "largest speed of the picture of friction: \"10 mm/s\"; else 1.3 times v*");

@@ -18,6 +18,7 @@ void SpeedOptions::add_to(CLI::App& command, std::optional<double> usual_ratio) 
   CLI::Option* ratio =
       speed->add_option("--velocity-ratio", ratio_, "drive speed as a multiple of v*: 0.5 or 50%");
   ratio->type_name("RATIO");
+  of_ratio_ = ratio;
   if (usual_ratio) {
     ratio_ = fmt::format("{}", *usual_ratio);
     ratio->default_str(fmt::format("{}", *usual_ratio));
@@ -25,6 +26,11 @@ void SpeedOptions::add_to(CLI::App& command, std::optional<double> usual_ratio) 
   } else {
     speed->require_option(1);
   }
+}
+
+std::string SpeedOptions::given() const {
+  if (!velocity_.empty()) return "--velocity";
+  return of_ratio_->count() > 0 ? "--velocity-ratio" : "";
 }
 
 Speed SpeedOptions::of(const Problem& problem) const {

@@ -23,9 +23,13 @@ class SpeedOptions {
   /// is infinite.
   Speed of(const Problem& problem) const;
 
+  /// The option that was given, or nothing.
+  std::string given() const;
+
  private:
   std::string velocity_;
   std::string ratio_;
+  CLI::Option* of_ratio_ = nullptr;
 };
 
 }  // namespace vcrit::app

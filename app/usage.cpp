@@ -134,6 +134,15 @@ std::optional<InputError> choice_between(const std::string& text) {
   return InputError({whole_line}, none ? "none of " + options : options, "one of the two", advice);
 }
 
+/// "--limits excludes --material"
+std::optional<InputError> excluded(const std::string& text) {
+  const std::string between = " excludes ";
+  const std::size_t at = text.find(between);
+  if (at == std::string::npos) return std::nullopt;
+  return InputError({whole_line}, text.substr(0, at) + " and " + text.substr(at + between.size()),
+                    "one of the two", advice);
+}
+
 /// "{amplitude,force}": the words in it.
 std::vector<std::string> words_of_set(const std::string& set) {
   std::vector<std::string> words;
@@ -179,6 +188,7 @@ InputError in_parts(const CLI::ParseError& error, const CLI::App& program,
   if (first.starts_with('-') && (lacks || too_much)) return option_first(program, first);
   if (too_much) return not_expected(program, first);
   if (const auto chosen = choice_between(text)) return *chosen;
+  if (const auto chosen = excluded(text)) return *chosen;
   if (lacks)
     return what_is_missing(asked_of(program, first), text.substr(0, text.find(" is required")));
   if (const auto rest = after(text, "Could not convert: "))

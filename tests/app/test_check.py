@@ -1,13 +1,10 @@
 """vcrit check: all that is wrong with scenes, at once; vcrit new: scenes to be filled in."""
 
 import json
-import os
-import pty
 import re
-import subprocess
 import unittest
 
-from program import PROGRAM, PROJECT, Case, example
+from program import PROJECT, Case, example
 
 BAD = """title = "Five errors"
 [contact]
@@ -60,18 +57,7 @@ class Check(Case):
             self.assertIn(problem["expected"], problem["text"])
 
     def test_a_terminal_shows_the_line(self):
-        ours, theirs = pty.openpty()
-        process = subprocess.Popen([PROGRAM, "check", str(self.write(BAD))], stdout=theirs, stderr=subprocess.PIPE)
-        os.close(theirs)
-        shown = b""
-        try:
-            while part := os.read(ours, 4096):
-                shown += part
-        except OSError:  # the other end has gone
-            pass
-        os.close(ours)
-        self.assertEqual(process.communicate(), (None, b""))
-        lines = shown.decode().replace("\r", "").splitlines()
+        lines = self.on_terminal("check", self.write(BAD)).splitlines()
         row = lines.index('    6 | frequency = 28 kHz')
         self.assertEqual(lines[row + 1].index("^"), lines[row].index("kHz"))
         self.assertNotIn("| frequency", self.run_program("check", self.folder / "s.toml").stdout)

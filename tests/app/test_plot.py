@@ -54,6 +54,23 @@ class Plot(Case):
         self.assertAlmostEqual(sum(speeds) / len(speeds) / 10e-3, 1, delta=0.03)
         self.assertLess(min(speeds), 1e-4)
 
+    def test_each_picture_by_all_its_names(self):
+        for names in ([["--over", "frequency"], ["--of", "frequency"], ["--over=frequency"]],
+                      [["--cycle"], ["--over", "cycle"], ["--of", "cycle"]],
+                      [[], ["--over", "speed"], ["--over", "velocity"], ["--of", "friction"]]):
+            texts = [self.out("plot", ZENER, *each) for each in names]
+            self.assertEqual(texts, [texts[0]] * len(texts), names)
+
+    def test_a_terminal_names_the_other_pictures(self):
+        shown = self.on_terminal("plot", ZENER)
+        self.assertEqual(shown.splitlines()[-1], "more: --over frequency | --cycle | --to SPEED | --out FILE.svg")
+        self.assertEqual(shown.splitlines()[:-2], self.out("plot", ZENER).splitlines())
+
+    def test_options_without_use_are_refused(self):
+        self.refused(2, ["plot", ZENER, "--over", "frequency", "--to", "9 mm/s"], "--to: found", "expected friction over speed")
+        self.refused(2, ["plot", ZENER, "--velocity", "2 mm/s"], "--velocity: found", "expected --cycle with it")
+        self.refused(2, ["plot", ZENER, "--over", "frequency", "--velocity-ratio", "0.5"], "--velocity-ratio: found")
+
     def test_a_terminal_of_80_letters_has_room(self):
         for scene, of in ((ZENER, "friction"), (ZENER, "frequency"), (SEPARATION, "cycle"), (SPHERE, "friction")):
             lines = self.out("plot", scene, "--of", of).splitlines()

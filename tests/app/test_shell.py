@@ -21,7 +21,7 @@ MAN = SHARE / "man/man1/vcrit.1"
 COMMANDS = ["eval", "derive", "generate", "simulate", "critical", "plot", "explore", "sweep", "solve", "fit", "new", "check",
             "validate"]
 # "  -h,--help   Print ...", as CLI11 writes options; positionals stand under a heading of their own.
-OPTION = re.compile(r"^ {2}((?:-\w,)?--[\w-]+)(?: (\S.*?))?(?: {2,}|$)", re.MULTILINE)
+OPTION = re.compile(r"^ {2}((?:-\w,)?--[\w-]+(?:,--[\w-]+)*)(?: (\S.*?))?(?: {2,}|$)", re.MULTILINE)
 CHOICES = re.compile(r"^\{(.*)\}")
 EXAMPLE = re.compile(r"^    (vcrit .*)$", re.MULTILINE)
 
@@ -45,8 +45,8 @@ def names_of(command):
 
 def choices_of(command):
     """Options whose values are a list."""
-    return {names[-1]: CHOICES.match(value)[1].split(",") for names, value in options_of(command).items()
-            if CHOICES.match(value)}
+    return {name: CHOICES.match(value)[1].split(",") for names, value in options_of(command).items()
+            if CHOICES.match(value) for name in names}
 
 
 class Help(unittest.TestCase):
@@ -92,7 +92,7 @@ class Man(unittest.TestCase):
         """As of a help: the line below each .TP that has options."""
         tags = [re.sub(r"\\f[BRI]", "", tag).replace("\\-", "-")
                 for tag in re.findall(r"^\.TP\n(.*)$", self.section(command), re.MULTILINE)]
-        split = [re.fullmatch(r"((?:-\w, )?--[\w-]+)(?: (.*))?", tag) for tag in tags if tag.startswith("-")]
+        split = [re.fullmatch(r"((?:-\w, )?--[\w-]+(?:, --[\w-]+)*)(?: (.*))?", tag) for tag in tags if tag.startswith("-")]
         return {tuple(tag[1].split(", ")): tag[2] or "" for tag in split}
 
     def test_is_clean(self):
@@ -179,6 +179,7 @@ class Completion(unittest.TestCase):
         self.offered("vcrit simulate --method=mo", ["moreau"])
         self.offered("vcrit simulate --method m", ["moreau", "msbdf"])
         self.offered("vcrit generate --language ", list(drivers.LANGUAGES))
+        self.offered("vcrit plot --over fre", ["frequency"])
 
     def test_of_scenes_and_folders(self):
         scenes = ["pad.toml", "pin.toml", "some scenes"]

@@ -182,9 +182,14 @@ class Help(Case):
         self.refused(2, ["simulate", ZENER], f"found none of {both}; expected one of the two")
         self.refused(2, ["simulate", ZENER, "--velocity", "1", "--velocity-ratio", "2"], f"found {both}; expected one of the two")
 
+    def test_options_that_exclude_each_other(self):
+        self.refused(2, ["plot", ZENER, "--over", "frequency", "--cycle"], "--over and --cycle; expected one of the two")
+        self.refused(2, ["derive", ZENER, "--material", "--limits"], "--limits and --material; expected one of the two")
+
     def test_too_much(self):
         self.refused(2, ["eval", ZENER, "other.toml"], "found other.toml; expected one SCENE")
-        self.refused(2, ["plot", ZENER, "--over", "frequency"], "found --over; expected one of --help, --set, --of, --to,", "--velocity, --velocity-ratio; run")
+        self.refused(2, ["plot", ZENER, "--samples", "9"],
+                     "found --samples; expected one of --help, --set, --over, --of, --cycle, --to,", "--velocity, --velocity-ratio; run")
         self.refused(2, ["--digits", "3", "eval", ZENER], "found --digits; expected a command before its options")
 
     def test_languages_by_short_names(self):

@@ -5,6 +5,8 @@ A test is started as test_NAME.py PROGRAM [ARGUMENT...], with this folder on PYT
 
 import csv
 import json
+import os
+import pty
 import re
 import subprocess
 import sys
@@ -116,6 +118,21 @@ class Case(unittest.TestCase):
         result = self.run_program(*arguments, **options)
         self.assertEqual(result.returncode, status, result.stderr)
         return result.stdout
+
+    def on_terminal(self, *arguments):
+        """What a terminal shows; nothing may go to standard error."""
+        ours, theirs = pty.openpty()
+        process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=theirs, stderr=subprocess.PIPE, cwd=self.folder)
+        os.close(theirs)
+        shown = b""
+        try:
+            while part := os.read(ours, 4096):
+                shown += part
+        except OSError:  # the other end has gone
+            pass
+        os.close(ours)
+        self.assertEqual(process.communicate(timeout=PATIENCE), (None, b""))
+        return shown.decode().replace("\r", "")
 
     def answer(self, *arguments, status=0, **options):
         """The one object that --json prints."""
