@@ -73,7 +73,7 @@ struct Source {
 struct Givens {
   std::optional<Quantity> mass;             ///< m (kg) of the body; only under a drive that gives
   std::optional<FittedRange> fitted_range;  ///< of the contact's networks
-  bool separation = false;                  ///< the surfaces may part: F_n = max(0, reaction)
+  bool separation = false;                  ///< the contact may open: F_n = max(0, reaction)
   std::optional<Indenter> indenter;         ///< of an isotropic half-space
   Quantity coefficient, angular_frequency, amplitude;  ///< mu0, omega, du_z
   Quantity indentation;          ///< u_z0, m; without a value where there is a load

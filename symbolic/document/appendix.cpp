@@ -113,12 +113,11 @@ class Nomenclature {
                                   [&](const auto& each) { return each.first == symbol.name; });
         if (known == elements_.end())
           known = elements_.insert(
-              known,
-              {symbol.name,
-               {number_words(element, symbol, role),
-                unit_text(problem_->indenter ? is.in_half_space : is.dimension),
-                {},
-                0}});
+              known, {symbol.name,
+                      {number_words(element, symbol, role),
+                       unit_text(problem_->indenter ? is.in_half_space : is.dimension),
+                       {},
+                       0}});
         Found& found = known->second;
         found.entries = std::max(found.entries, symbol.entry);
         if (std::find(found.places.begin(), found.places.end(), where) == found.places.end())
@@ -168,10 +167,10 @@ Section assumptions(const Findings& findings) {
       {"The contact point has no mass. There Coulomb's law holds with the constant coefficient ",
        symbol({"mu0"}), "."},
       "All networks are linear, and the motion is the steady one."};
-  section.items.push_back(
-      holds_closed(problem)
-          ? Prose{"The normal force stays above 0: the contact never opens."}
-          : Prose{"Surfaces may part: without contact there is no normal and no friction force."});
+  section.items.push_back(holds_closed(problem)
+                              ? Prose{"The normal force stays above 0: the contact never opens."}
+                              : Prose{"The contact may open: while it is open there is no normal "
+                                      "and no friction force."});
   section.items.push_back(
       {v,
        " is the mean velocity of the contact point. A drive or contact that creeps under the "

@@ -5,6 +5,7 @@ and on paper, no speed where there is none, and a failed check above everything.
 import base64
 import itertools
 import json
+import math
 import os
 import re
 import subprocess
@@ -13,8 +14,9 @@ import unittest
 from pathlib import Path
 
 from selenium.webdriver.common.by import By
+from selenium.webdriver.support.ui import WebDriverWait
 
-from browsing import CHARTS, browser, draw_charts, load
+from browsing import CHARTS, PATIENCE, browser, draw_charts, load
 from program import PROGRAM, PROJECT
 
 SCENES = ["zener", "inadmissible", "sonotrode", "burgers"]
@@ -36,6 +38,15 @@ ON_CURVES = """
     }
     return [[...new Set(found)], texts.length, svg.querySelectorAll('.rule').length];"""
 
+# On a sheet: the least size of words in its drawing and charts, in points, and how far anything reaches, in pixels.
+ON_PAPER = """dispatchEvent(new Event('beforeprint'));
+    const sizes = (selector) => [...document.querySelectorAll(selector)].filter((text) => text.textContent.trim() && text.checkVisibility())
+        .map((text) => 0.75 * Math.hypot(text.getScreenCTM().a, text.getScreenCTM().b) * parseFloat(getComputedStyle(text).fontSize));
+    const found = [Math.min(...sizes('.system text')), Math.min(...sizes('.chart text')), document.documentElement.scrollWidth];
+    dispatchEvent(new Event('afterprint'));
+    return found;"""
+SHEET = round((210 - 2 * 12) * 96 / 25.4)  # of A4 between margins of 12 mm
+
 # A compiler that compiles nothing: what it should have compiled is a check that failed.
 BROKEN_COMPILER = "#!/bin/sh\necho broken >&2\nexit 1\n"
 
@@ -52,6 +63,7 @@ class Pages(unittest.TestCase):
         scenes = [f"scenes/{name}.toml" for name in SCENES]
         cls.validate([*scenes, FULL], cls.report, "/nowhere", 0)
         cls.validate(["scenes/elastic.toml"], cls.report / "failed", f"{compiler.parent}:/usr/bin:/bin", 1)
+        cls.validate(["scenes/bridge.toml"], cls.report / "bridge", "/nowhere", 0)  # its limits are wider than a sheet
         cls.browser = browser(Path(cls.folder.name, "profile"))
 
     @classmethod
@@ -178,6 +190,49 @@ class Pages(unittest.TestCase):
             pdf = base64.b64decode(self.browser.execute_cdp_cmd("Page.printToPDF", {
                 "printBackground": True, "preferCSSPageSize": True})["data"])
             self.assertLessEqual(len(re.findall(rb"/Type\s*/Page[^s]", pdf)), 2, page)
+
+    # Chromium makes a page smaller that is wider than the sheet, and all its words with it.
+    def test_words_on_paper_can_be_read(self):
+        for page in [*SCENES, "separation_mount", "bridge/index"]:
+            self.open(page, draw=False)
+            self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+            self.addCleanup(self.browser.execute_cdp_cmd, "Emulation.setEmulatedMedia", {"media": ""})
+            self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+                "width": SHEET, "height": 1000, "deviceScaleFactor": 1, "mobile": False})
+            with self.subTest(page=page):
+                drawing, charts, width = self.script(ON_PAPER)
+                self.assertGreaterEqual(drawing, 6)
+                self.assertGreaterEqual(charts, 6)
+                self.assertLessEqual(width, SHEET)
+            self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+
+    def test_one_cycle_has_a_slider(self):
+        self.open("zener")
+        slider, instant = (self.browser.find_element(By.ID, name) for name in ("cycle-time", "cycle-instant"))
+        play = self.browser.find_element(By.ID, "cycle-play")
+        cursors = "return [...document.querySelectorAll('#cycle .cursor')].map((path) => path.getAttribute('d'))"
+        move = "arguments[0].value = arguments[1]; arguments[0].dispatchEvent(new Event('input'))"
+        motion = json.loads(subprocess.run([PROGRAM, "simulate", PROJECT / "scenes/zener.toml", "--velocity-ratio", "0.5", "--json"],
+                                           check=True, capture_output=True, text=True).stdout)
+        phases = {event["to"]: event["phase"] / (2 * math.pi) for event in motion["events"]}
+        sliding = (phases["slip"] + phases["stick"]) / 2
+        places = set()
+        for part, sticks in [(sliding, False), (phases["stick"] + 0.01, True), (0.999, True)]:
+            self.script(move, slider, 1000 * part)
+            self.assertRegex(instant.text, rf"^{50 * round(part, 3):.3g} µs: tangential force [\d.]+ N, contact speed [\d.]+ mm/s")
+            self.assertEqual(instant.text.endswith(", sticks"), sticks)
+            self.assertEqual("contact speed 0 mm/s" in instant.text, sticks)
+            self.assertEqual(slider.get_attribute("aria-valuetext"), instant.text)
+            places.add(tuple(self.script(cursors)))
+        self.assertEqual([len(place) for place in places], [2, 2, 2])
+        before = instant.text
+        self.script("arguments[0].click()", play)
+        WebDriverWait(self.browser, PATIENCE).until(lambda _: instant.text != before)
+        self.assertEqual(play.text, "Pause")
+        self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-reduced-motion", "value": "reduce"}]})
+        self.addCleanup(self.browser.execute_cdp_cmd, "Emulation.setEmulatedMedia", {"features": []})
+        WebDriverWait(self.browser, PATIENCE).until(lambda _: not play.is_displayed())
+        self.assertEqual(self.browser.get_log("browser"), [])
 
     def test_outside_the_model_there_is_no_speed_and_nothing_green(self):
         self.open("inadmissible")

@@ -6,6 +6,8 @@ VCRIT_ASSET(page);
 VCRIT_ASSET(scales);
 VCRIT_ASSET(drawing);
 VCRIT_ASSET(charts);
+VCRIT_ASSET(scrubber);
+VCRIT_ASSET(cycle);
 VCRIT_ASSET(explorer_style);
 VCRIT_ASSET(simulator_script);
 VCRIT_ASSET(explorer_words);
@@ -37,9 +39,13 @@ std::string_view style() { return between(vcrit_style, vcrit_style_end); }
 
 std::string_view templates() { return between(vcrit_page_templates, vcrit_page_templates_end); }
 
+std::string_view scrubber_script() { return between(vcrit_scrubber, vcrit_scrubber_end); }
+
+std::string_view cycle_script() { return between(vcrit_cycle, vcrit_cycle_end); }
+
 const std::vector<std::string_view>& explorer_scripts() {
   static const std::vector<std::string_view> all{
-      between(vcrit_simulator_script, vcrit_simulator_script_end),
+      scrubber_script(), between(vcrit_simulator_script, vcrit_simulator_script_end),
       between(vcrit_explorer_words, vcrit_explorer_words_end),
       between(vcrit_explorer_curves, vcrit_explorer_curves_end),
       between(vcrit_explorer, vcrit_explorer_end)};

@@ -14,7 +14,12 @@ std::string_view style();
 /// All of templates/, packed for record::Templates.
 std::string_view templates();
 
-/// What moves the explorer, in this order, and how it looks; pages without one do not carry them.
+/// What chooses a moment of a period, and what shows it in a scene's charts of one, which needs it.
+std::string_view scrubber_script();
+std::string_view cycle_script();
+
+/// What moves the explorer, with the scrubber, in this order, and how it looks; pages without one
+/// do not carry them.
 const std::vector<std::string_view>& explorer_scripts();
 std::string_view explorer_style();
 /// The simulator as WebAssembly, by gzip.

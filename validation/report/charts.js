@@ -32,8 +32,22 @@ const vcrit_charts = (() => {
     if (before) before.replaceWith(svg);
     else element.prepend(svg);
     chart.svg = svg;
+    drawMark(chart);
     element.classList.toggle("named", chart.plan.ends.length > 0);
     chart.told.hidden = true;
+  }
+
+  // The line of a moment, drawn again with the chart.
+  function drawMark({ svg, plan, marked }) {
+    if (marked === null) return;
+    const line = svg.querySelector(".cursor") ?? add(svg.querySelector(".frame"), "path", { class: "cursor", stroke: "#1d2126" });
+    line.setAttribute("d", `M${plan.x(marked)} 0v${plan.height}`);
+  }
+
+  function mark(element, x) {
+    const chart = charts.get(element);
+    chart.marked = x;
+    if (chart.svg) drawMark(chart);
   }
 
   function tryToDraw(element) {
@@ -135,7 +149,7 @@ const vcrit_charts = (() => {
   // On white, whatever the page is.
   function picture({ svg }) {
     const copy = svg.cloneNode(true);
-    copy.querySelector(".chosen")?.remove();
+    for (const node of copy.querySelectorAll(".chosen, .cursor")) node.remove();
     copy.prepend(add(copy, "rect", { width: "100%", height: "100%", fill: "#ffffff" }));
     return new Blob([new XMLSerializer().serializeToString(copy)], { type: "image/svg+xml" });
   }
@@ -177,21 +191,24 @@ const vcrit_charts = (() => {
     }
   }));
 
-  // On paper three charts stand side by side, each drawn so narrow that its words stay readable, and lower by as much.
-  const thirdOfSheet = 330, lower = 0.75;
-  const isSmallOnPaper = (element) => element.closest("#cycle, #frequency, .panels") !== null;
+  // On paper three charts stand side by side, and the first beside the system: each is drawn so narrow that its words
+  // stay readable, and lower by as much.
+  const onPaper = [["#cycle, #frequency, .panels", 330, 0.75], [".first", 600, 0.85]];
+  const sizeOnPaper = (element) => onPaper.find(([places]) => element.closest(places) !== null);
   addEventListener("beforeprint", () => {
-    for (const [element, { svg }] of charts)
-      if (isSmallOnPaper(element)) draw(element, thirdOfSheet, lower);
+    for (const [element, { svg }] of charts) {
+      const size = sizeOnPaper(element);
+      if (size) draw(element, ...size.slice(1));
       else if (!svg) tryToDraw(element);
+    }
   });
   addEventListener("afterprint", () => {
-    for (const element of charts.keys()) if (isSmallOnPaper(element)) draw(element);
+    for (const element of charts.keys()) if (sizeOnPaper(element)) draw(element);
   });
 
   // The element becomes the chart of a figure.
   function show(element, figure) {
-    const chart = { figure, chosen: null };
+    const chart = { figure, chosen: null, marked: null };
     charts.set(element, chart);
     if (!element.querySelector(".still")) element.style.minHeight = `${figure.height + 60}px`;
     element.tabIndex = 0;
@@ -209,5 +226,5 @@ const vcrit_charts = (() => {
   for (const element of document.querySelectorAll(".chart:not(.explored-chart)"))
     show(element, JSON.parse(element.nextElementSibling.textContent));
 
-  return { show };
+  return { show, mark };
 })();

@@ -109,7 +109,7 @@ const vcrit_curves = (() => {
     const cursor = node("line", { class: "cursor", y1: 28, y2: height - 42 });
     svg.append(cursor);
     period_shown = { points, period, cursor, to: (part) => lower.x(part * end) };
-    move_to(Number(at("explorer-time").value) / 1000);
+    move_to(scrubber.part());
   }
 
   // Parts of the period, 0 to 1, in which it sticks.
@@ -134,32 +134,6 @@ const vcrit_curves = (() => {
     at("explorer-time").setAttribute("aria-valuetext", words);
   }
 
-  const slow_motion = 6000;  // ms a period
-  const still = matchMedia("(prefers-reduced-motion: reduce)");
-  let playing = false, last = 0;
-
-  function frame(now) {
-    if (!playing) return;
-    const slider = at("explorer-time");
-    slider.value = String((Number(slider.value) + 1000 * (now - last) / slow_motion) % 1000);
-    last = now;
-    move_to(Number(slider.value) / 1000);
-    requestAnimationFrame(frame);
-  }
-
-  function play(on) {
-    playing = on;
-    at("explorer-play").textContent = on ? "Pause" : "Play";
-    at("explorer-play").setAttribute("aria-pressed", String(on));
-    if (!on) return;
-    last = performance.now();
-    requestAnimationFrame(frame);
-  }
-
-  const calm = () => { if (still.matches) play(false); at("explorer-play").hidden = still.matches; };
-  at("explorer-time").addEventListener("input", (event) => { play(false); move_to(Number(event.target.value) / 1000); });
-  at("explorer-play").addEventListener("click", () => play(!playing));
-  still.addEventListener("change", calm);
-  calm();
+  const scrubber = vcrit_scrubber({ button: at("explorer-play"), slider: at("explorer-time"), show: move_to });
   return { friction, cycle };
 })();

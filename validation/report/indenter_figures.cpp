@@ -24,8 +24,7 @@ Figure indenter_shape_figure(const Indented& indented) {
   figure.title = "Friction ratio over speed, by shape";
   figure.caption =
       "All at the same ratio of amplitude to indentation. For a shape rⁿ only n matters. Thick "
-      "dots: "
-      "this scene.";
+      "dots: this scene.";
   return figure;
 }
 
@@ -34,11 +33,11 @@ Figure indenter_state_figure(const Indented& indented) {
   figure.name = "contact_state";
   figure.title = "What the contact does over its width and one period";
   figure.caption = fmt::format(
-      "At {:.3g} of v*, from the centre to the largest radius of contact. The indentation is "
-      "largest at phase 0 and least at half a period.",
+      "At {:.3g} of v*, from the centre (0) to the largest radius of contact (1). The indentation "
+      "is largest at phase 0 and least at half a period.",
       indented.map_ratio);
   figure.x = {"phase ωt / 2π", false, std::pair{0.0, 1.0}, {}};
-  figure.y = {"distance from the centre / largest contact radius", false, std::pair{0.0, 1.0}, {}};
+  figure.y = {"distance from the centre", false, std::pair{0.0, 1.0}, {}};
   figure.map = contact_map(indented.map);
   return figure;
 }

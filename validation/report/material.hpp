@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "figures/figure.hpp"
@@ -35,8 +36,18 @@ struct MaterialNumbers {
 /// Of a network without masses and lossy springs whose elements all have positive values.
 MaterialNumbers material_numbers(const Network& network, const Values& values);
 
+/// "N/m" and "N.s/m", or of the moduli of a half-space "Pa" and "Pa.s".
+struct MaterialUnits {
+  const char *stiffness = "N/m", *damper = "N.s/m";
+  bool moduli = false;
+};
+
+/// "0.25 µm/N", "0.5 1/GPa": of 1/value, by the unit of the value.
+std::string inverse_words(double inverse, const char* unit);
+
 /// Storage and loss, loss factor, relaxation and creep over the times of the spectra; none where
 /// these do not depend on time: a spring or a damper alone.
-std::vector<figures::Figure> material_figures(const MaterialNumbers& numbers);
+std::vector<figures::Figure> material_figures(const MaterialNumbers& numbers,
+                                              const MaterialUnits& units);
 
 }  // namespace vcrit::validation::report

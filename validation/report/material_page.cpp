@@ -164,27 +164,42 @@ std::optional<Values> values_of(const Problem& problem, const Network& network) 
   return values;
 }
 
-record::Json numbers_record(const MaterialNumbers& numbers, const std::string& id) {
-  record::Json branches = record::Json::array(), units = record::Json::array();
-  for (const MaxwellBranch& each : numbers.relaxation.branches)
-    branches.push_back({{"time", each.time}, {"strength", each.stiffness}});
-  for (const KelvinUnit& each : numbers.retardation.units)
-    units.push_back({{"time", each.time}, {"compliance", each.compliance}});
-  const auto unless_none = [](double value) {
-    return value == 0 ? record::Json() : record::Json{{"value", value}};
-  };
+/// Below an indenter the contact's networks are moduli of the half-space.
+MaterialUnits units_of(const Problem& problem, const Material& material) {
+  if (problem->indenter && material.network != problem->drive_network()) return {"Pa", "Pa.s", true};
+  return {};
+}
+
+record::Json words_unless_none(double value, const std::string& words) {
+  return value == 0 ? record::Json() : record::Json{{"words", words}};
+}
+
+record::Json numbers_record(const MaterialNumbers& numbers, const MaterialUnits& units,
+                            const std::string& id) {
+  const auto& [relaxation, retardation] = numbers;
+  record::Json branches = record::Json::array(), delays = record::Json::array();
+  for (const MaxwellBranch& each : relaxation.branches)
+    branches.push_back(
+        {{"time", each.time}, {"strength", rounded(each.stiffness, units.stiffness)}});
+  for (const KelvinUnit& each : retardation.units)
+    delays.push_back(
+        {{"time", each.time}, {"compliance", inverse_words(each.compliance, units.stiffness)}});
   record::Json figures = record::Json::array();
-  for (figures::Figure& figure : material_figures(numbers)) {
+  for (figures::Figure& figure : material_figures(numbers, units)) {
     figure.name = id + "_" + figure.name;
     figures.push_back(record::page_of(figure));
   }
-  return {{"equilibrium", unless_none(numbers.relaxation.equilibrium)},
-          {"damper", unless_none(numbers.relaxation.damper)},
-          {"branches", branches},
-          {"glassy", unless_none(numbers.retardation.glassy)},
-          {"fluidity", unless_none(numbers.retardation.fluidity)},
-          {"units", units},
-          {"figures", figures}};
+  return {
+      {"equilibrium",
+       words_unless_none(relaxation.equilibrium, rounded(relaxation.equilibrium, units.stiffness))},
+      {"damper", words_unless_none(relaxation.damper, rounded(relaxation.damper, units.damper))},
+      {"branches", branches},
+      {"glassy",
+       words_unless_none(retardation.glassy, inverse_words(retardation.glassy, units.stiffness))},
+      {"fluidity",
+       words_unless_none(retardation.fluidity, inverse_words(retardation.fluidity, units.damper))},
+      {"units", delays},
+      {"figures", figures}};
 }
 
 record::Json storage_record(const Problem& problem, const Material& material) {
@@ -224,8 +239,9 @@ record::Json material_record(const Problem& problem, const Material& material) {
   result["relaxation"] = relaxation_record(network);
   result["retardation"] = retardation_record(network);
   const std::optional<Values> values = values_of(problem, network);
-  result["numbers"] =
-      values ? numbers_record(material_numbers(network, *values), material.id) : record::Json();
+  result["numbers"] = values ? numbers_record(material_numbers(network, *values),
+                                              units_of(problem, material), material.id)
+                             : record::Json();
   return result;
 }
 
@@ -239,6 +255,7 @@ std::string material_page(const Problem& problem) {
   const std::string heading = title.empty() ? "Networks of the scene" : title;
   record::Json page{{"version", VCRIT_VERSION},
                     {"heading", heading},
+                    {"indenter", problem->indenter.has_value()},
                     {"measured", problem->receptance() != nullptr},
                     {"materials", record::Json::array()},
                     {"facts", record::page_of(shown_facts(derivation))}};

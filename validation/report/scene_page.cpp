@@ -1,5 +1,6 @@
 #include "report/scene_page.hpp"
 
+#include "report/assets.hpp"
 #include "report/document.hpp"
 #include "report/explorer_record.hpp"
 #include "report/records.hpp"
@@ -23,10 +24,16 @@ record::Json scene_record(const SceneContents& contents, const Origin& origin,
 
 std::string scene_page(const SceneContents& contents, const Origin& origin,
                        const SceneFiles& files) {
-  const auto scripts = contents.report.failure.empty() ? explorer_scripts(contents.report.problem)
-                                                       : std::vector<std::string>();
+  const SceneReport& report = contents.report;
+  std::vector<std::string> scripts;
+  if (report.failure.empty()) scripts = explorer_scripts(report.problem);
+  const bool simulates = !scripts.empty();
+  if (report.failure.empty() && report.cycle) {
+    if (!simulates) scripts.emplace_back(scrubber_script());
+    scripts.emplace_back(cycle_script());
+  }
   return document("scene", scene_record(contents, origin, files),
-                  {title_of(contents.report), true, scripts, !scripts.empty()});
+                  {title_of(report), true, scripts, simulates});
 }
 
 std::string evidence_page(const SceneContents& contents, const Origin& origin,
