@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "streams.hpp"
@@ -11,6 +12,7 @@
 #include "base/numbers.hpp"
 #include "base/rounded.hpp"
 #include "base/trimmed.hpp"
+#include "base/unit_advice.hpp"
 #include "problem/variants.hpp"
 #include "scene/settings.hpp"
 
@@ -49,7 +51,12 @@ Problem SceneOptions::read(const std::function<Frequency(const Problem&)>& frequ
 double ratio_of(const std::string& text, const char* option, const char* expected) {
   const bool percent = text.ends_with('%');
   const auto number = to_double(trimmed(text.substr(0, text.size() - (percent ? 1 : 0)), " "));
-  if (!number) throw InputError({option}, fmt::format("\"{}\"", printable(text)), expected);
+  if (!number) {
+    const std::size_t comma = text.find(',');
+    const std::string advice =
+        advice_on_comma(text.substr(0, comma), text.substr(std::min(comma, text.size())));
+    throw InputError({option}, fmt::format("\"{}\"", printable(text)), expected, advice);
+  }
   return percent ? *number / 100 : *number;
 }
 

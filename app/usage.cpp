@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstring>
 #include <optional>
@@ -56,6 +57,15 @@ std::string meant(const std::string& word, const std::vector<std::string>& names
   return found ? did_you_mean(*found) : advice;
 }
 
+/// Also one that is begun alike: evaluate, simulation.
+std::string meant_command(const std::string& word, const std::vector<std::string>& names) {
+  constexpr std::size_t alike = 4;
+  for (const std::string& name : names)
+    if (word.size() >= alike && name.substr(0, alike) == word.substr(0, alike))
+      return did_you_mean(name);
+  return meant(word, names);
+}
+
 /// The command that the line begins with, or the program itself.
 const CLI::App& asked_of(const CLI::App& program, const std::string& first) {
   for (const CLI::App* command : commands_of(program))
@@ -82,14 +92,37 @@ std::string room_for(const CLI::App& command) {
                                 : "the arguments that --help lists";
 }
 
+/// A unit behind a blank, or another scene.
+std::string advice_on_rest(const std::string& word) {
+  return word.ends_with(".toml") ? advice : "a value with a blank in it needs quotes: \"2 mm/s\"";
+}
+
+bool takes_settings(const std::vector<std::string>& options) {
+  return std::find(options.begin(), options.end(), "--set") != options.end();
+}
+
+/// What scenes hold and people take for an option.
+bool is_quantity(const std::string& word) {
+  constexpr std::array quantities{"--frequency", "--amplitude", "--indentation", "--coefficient",
+                                  "--poisson",   "--mass",      "--force"};
+  return std::find(quantities.begin(), quantities.end(), word_of_option(word)) != quantities.end();
+}
+
+std::string set_advice(const std::string& word) {
+  return fmt::format("a number of the scene is --set {}=VALUE", word_of_option(word).substr(2));
+}
+
 InputError not_expected(const CLI::App& program, const std::string& first) {
   const CLI::App& command = asked_of(program, first);
   const std::string word = too_many(program.remaining(true));
-  if (!names_option(word)) return {{whole_line}, word, room_for(command), advice};
+  if (!names_option(word)) return {{whole_line}, word, room_for(command), advice_on_rest(word)};
   const std::vector<std::string> options = long_options(command);
   if (const auto found = nearest(word_of_option(word), options))
     return {{whole_line}, word, "the arguments that --help lists", did_you_mean(*found)};
-  return {{whole_line}, word, fmt::format("one of {}", fmt::join(options, ", ")), advice};
+  return {{whole_line},
+          word,
+          fmt::format("one of {}", fmt::join(options, ", ")),
+          takes_settings(options) && is_quantity(word) ? set_advice(word) : advice};
 }
 
 /// An option before any command: one of the program, or one that belongs behind its command.
@@ -182,7 +215,8 @@ InputError in_parts(const CLI::ParseError& error, const CLI::App& program,
     return {{whole_line},
             fmt::format("\"{}\"", printable(first)),
             fmt::format("a command: {}", fmt::join(commands, ", ")),
-            meant(first, commands)};
+            first.ends_with(".toml") ? fmt::format("vcrit eval {}", printable(first))
+                                     : meant_command(first, commands)};
   const std::string text = error.what();
   const bool lacks = text.ends_with(" is required"), too_much = !program.remaining(true).empty();
   if (first.starts_with('-') && (lacks || too_much)) return option_first(program, first);

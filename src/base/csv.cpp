@@ -29,11 +29,11 @@ bool CsvLines::next() {
   return false;
 }
 
-void CsvLines::take_header(const char* header) {
+void CsvLines::take_header(const char* header, const char* advice) {
   const bool any = next();
   if (!any || fmt::format("{}", fmt::join(cells(), ",")) != header)
     throw InputError(place_, any ? fmt::format("\"{}\"", line_) : "an empty table",
-                     fmt::format("the header {}", header));
+                     fmt::format("the header {}", header), advice);
 }
 
 std::vector<std::string> CsvLines::cells() const {
@@ -48,7 +48,13 @@ std::vector<std::string> CsvLines::cells() const {
 
 std::vector<double> CsvLines::numbers(std::size_t count, const std::string& expected) const {
   const std::vector<std::string> words = cells();
-  if (words.size() != count) throw InputError(place_, fmt::format("\"{}\"", line_), expected);
+  if (words.size() != count) {
+    // Each number, or each but a whole first one, has a comma within.
+    const bool commas = words.size() == 2 * count || (count > 2 && words.size() == 2 * count - 1);
+    const bool other_marks = commas || line_.find(';') != line_.npos;
+    throw InputError(place_, fmt::format("\"{}\"", line_), expected,
+                     other_marks ? "commas separate numbers, which have decimal points: 2.5" : "");
+  }
   std::vector<double> result;
   for (const std::string& word : words) {
     const auto number = to_double(word);

@@ -15,8 +15,9 @@ class CsvLines {
   /// `text` of the file named `file`, with or without a byte order mark.
   CsvLines(const std::string& text, const std::string& file);
 
-  /// Takes the first line. Throws InputError unless its cells are those of `header`, "x,y".
-  void take_header(const char* header);
+  /// Takes the first line. Throws InputError with the advice unless its cells are those of
+  /// `header`, "x,y".
+  void take_header(const char* header, const char* advice = "");
 
   /// The next line with more than blanks on it; false at the end. Line ends of Windows do no harm.
   bool next();

@@ -120,6 +120,7 @@ fs::path nearest_file(const fs::path& file) {
   for (fs::directory_iterator each(folder, error), end; !error && each != end && left-- > 0;
        each.increment(error)) {
     const fs::path name = each->path().filename();
+    if (name == file.filename()) continue;  // a link to nowhere
     if (file.extension().empty() || name.extension() == file.extension())
       names.emplace(name.stem().string(), name);
   }

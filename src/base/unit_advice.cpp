@@ -28,7 +28,8 @@ const Units& usual_units(Dimension dimension) {
       time{"s", "ms", "us", "ns", "min", "h"}, mass{"g", "kg", "mg"},
       length{"um", "nm", "mm", "cm", "m"}, angle{"deg", "rad", "mrad"},
       velocity{"mm/s", "um/s", "cm/s", "m/s", "km/h"}, force{"N", "mN", "kN", "uN"},
-      compliance{"um/N", "mm/N", "nm/N", "m/N"}, frequency{"kHz", "Hz", "MHz", "mHz", "GHz"}, angular{"rad/s", "krad/s", "rpm", "deg/s"};
+      compliance{"um/N", "mm/N", "nm/N", "m/N"}, frequency{"kHz", "Hz", "MHz", "mHz", "GHz"},
+      angular{"rad/s", "krad/s", "rpm", "deg/s"};
   switch (dimension) {
     case Dimension::none:
       return none;
@@ -95,7 +96,11 @@ constexpr std::array<std::string_view, 8> peak_to_peak{
 
 constexpr std::array<std::string_view, 2> root_mean_square{"rms", "RMS"};
 
+constexpr std::array<std::string_view, 8> peak{
+    "zero to peak", "zero-to-peak", "0-to-peak", "0-peak", "0-pk", "0-p", "peak", "pk"};
+
 std::string_view before_any(std::string_view unit, std::span<const std::string_view> ends) {
+  if (unit.ends_with(')')) unit.remove_suffix(1);
   for (const std::string_view end : ends)
     if (unit.size() > end.size() && unit.ends_with(end))
       return trimmed(unit.substr(0, unit.size() - end.size()), " \t_,(");
@@ -137,17 +142,42 @@ std::string_view before_root_mean_square(std::string_view unit) {
   return before_any(unit, root_mean_square);
 }
 
+std::string_view before_peak(std::string_view unit) { return before_any(unit, peak); }
+
 bool is_mistaken_unit(std::string_view unit) { return unit == "gr"; }
 
 std::string advice_on_comma(std::string_view number, std::string_view rest) {
   if (!rest.starts_with(',') || !is_digit_at(rest, 1)) return "";
   const std::string_view tail = rest.substr(1);
+  if (number.find('.') != number.npos) {  // between thousands
+    std::string whole(number);
+    std::erase(whole, '.');
+    return fmt::format("write a decimal point, and nothing between thousands: \"{}.{}\"", whole,
+                       tail);
+  }
   const std::string point = fmt::format("\"{}.{}\"", number, tail);
   const bool may_be_thousands =
       is_digit_at(tail, 1) && is_digit_at(tail, 2) && !is_digit_at(tail, 3);
   if (!may_be_thousands) return "write a decimal point: " + point;
   return fmt::format("write a decimal point, {}, and nothing between thousands, \"{}{}\"", point,
                      number, tail);
+}
+
+std::string advice_on_thousands(std::string_view number, std::string_view rest) {
+  constexpr std::size_t group = 3;
+  std::string whole(number);
+  if (number.find_first_of(".eE") != number.npos) return "";
+  for (;;) {
+    const std::size_t begin = rest.starts_with('\'') ? 1 : 0;
+    for (std::size_t i = 0; i < group; ++i)
+      if (!is_digit_at(rest, begin + i)) return "";
+    if (is_digit_at(rest, begin + group)) return "";
+    whole += rest.substr(begin, group);
+    rest = trimmed(rest.substr(begin + group), " \t");
+    if (rest.starts_with('\'') || is_digit_at(rest, 0)) continue;
+    const char* const space = rest.empty() || rest.starts_with('.') ? "" : " ";
+    return fmt::format("write nothing between thousands: \"{}{}{}\"", whole, space, rest);
+  }
 }
 
 bool has_typeset_minus(std::string_view text) {

@@ -49,7 +49,7 @@ constexpr std::array<DimensionText, 14> dimensions{{{"a plain number", "1"},
                                                     {"a force", "N"},
                                                     {"a frequency", "Hz"},
                                                     {"an angular frequency", "rad/s"},
-                                                      {"a compliance", "m/N"}}};
+                                                    {"a compliance", "m/N"}}};
 
 const DimensionText& text_of(Dimension dimension) {
   return dimensions.at(static_cast<std::size_t>(dimension));
@@ -214,6 +214,8 @@ Explanation of_unknown_unit(double value, std::string_view unit, Dimension dimen
     return {"a root mean square",
             fmt::format("the amplitude of a sine is sqrt(2) times that: \"{:.4g} {}\"",
                         value * std::sqrt(2.0), rest)};
+  if (const std::string rest(before_peak(unit)); is_length(rest))
+    return {"a peak value", fmt::format("an amplitude is one: \"{} {}\"", number, rest)};
   return {fmt::format("unknown unit \"{}\"", unit),
           advice_on_unknown_unit(number, unit, dimension)};
 }
@@ -225,7 +227,13 @@ TypedNumber convert(double value, const Decimal& number, std::string_view unit, 
   };
   if (unit.size() > longest_unit)
     refuse(fmt::format("a unit of {} characters, more than {}", unit.size(), longest_unit));
-  if (is_second_number(unit)) refuse(fmt::format("\"{}\" is a second number, no unit", unit));
+  const std::string_view typed = trimmed(whole.substr(0, whole.size() - unit.size()), " \t");
+  if (is_second_number(unit))
+    refuse(fmt::format("\"{}\" is a second number, no unit", unit),
+           advice_on_thousands(typed, unit));
+  // To udunits minutes and seconds of arc.
+  if (unit.find_first_of("'\"") != unit.npos)
+    refuse(fmt::format("unknown unit \"{}\"", unit), advice_on_thousands(typed, unit));
   const std::scoped_lock lock(units_mutex());
   const Unit from = parse_unit(std::string(unit));
   // To udunits the byte 0xFF is the end of a unit.
@@ -234,8 +242,15 @@ TypedNumber convert(double value, const Decimal& number, std::string_view unit, 
     refuse(found.why, found.advice);
   }
   const Unit to = parse_unit(text_of(dimension).unit);
-  if (!measures_the_same(from.get(), to.get()))
+  if (!measures_the_same(from.get(), to.get())) {
+    if (dimension == Dimension::length && !before_peak_to_peak(unit).empty()) {
+      const Explanation found = of_unknown_unit(value, unit, dimension, whole);
+      refuse(found.why, found.advice);
+    }
     refuse("a unit of another dimension", advice_on_dimension(from.get(), dimension));
+  }
+  if (dimension == Dimension::none && angular(from.get()))
+    refuse("an angle", "write the tangent of the angle, if that is meant");
   if (dimension == Dimension::frequency && angular(from.get()))
     refuse("an angular frequency, not cycles a second",
            fmt::format("write it as angular_frequency = \"{}\"", whole));

@@ -133,6 +133,9 @@ class Parser {
     if (name.front() == 'k') return spring({meant(name)});
     if (name.front() == 'c') return damper({meant(name)});
     refuse_fractional(name, at);
+    if (name == "rigid")
+      throw InputError(at, "\"rigid\"", "springs and dampers",
+                       "what is rigid has no network: leave out [drive]");
     const InputError unknown(
         at, fmt::format("element \"{}\" of unknown kind", name),
         fmt::format("a name that begins with k (spring) or c (damper), spring({0}) or damper({0}), "

@@ -38,7 +38,9 @@ std::string expected_key(const std::optional<std::string>& meant,
 InputError unknown_key(const Place& place, const std::string& key, const std::string& section,
                        const std::vector<std::string>& known) {
   const std::string advice = advice_on_key(key, section);
-  const auto meant = advice.empty() ? nearest(key, known) : std::nullopt;
+  auto meant = advice.empty() ? nearest(key, known) : std::nullopt;
+  for (const std::string& each : known)  // "poissons_ratio"
+    if (!meant && advice.empty() && each.size() > 3 && key.find(each) != key.npos) meant = each;
   return {place,
           fmt::format("unknown key \"{}\"{}", key, section.empty() ? "" : " in [" + section + "]"),
           expected_key(meant, known), advice};

@@ -131,7 +131,7 @@ std::string contact_section(const NewScene& scene, const Rheology& rheology) {
 std::string drive_sections(const NewScene& scene) {
   if (!scene.drive)
     return "# No [drive]: a rigid drive, whose speed is that of the contact.\n"
-           "\n# Where a tip's radius and moduli are known, not stiffnesses, take the marks off, and\n"
+           "\n# Where a tip's radius and moduli are known, not stiffnesses, remove the # signs, and\n"
            "# give moduli (\"2.9 GPa\") and viscosities (\"3.5 kPa.s\") to the elements below:\n"
            "# [indenter]\n# shape = \"parabola\"\n# radius = \"5 mm\"\n";
   const Rheology& rheology = rheology_of_part(*scene.drive, "drive");
@@ -148,7 +148,7 @@ std::string other_sections() {
   return "[oscillation]\n" + to_fill("frequency", {"20 kHz"}, "data sheet of the transducer") +
          to_fill("amplitude", {"0.1 um"}, "half of peak to peak: vibrometer, or the data sheet") +
          to_fill("indentation", {"0.5 um"}, "mean: static force over static stiffness") +
-         "\n# Where the static force is known, leave the indentation out and take the marks off:\n"
+         "\n# Where the static force is known, leave the indentation out and remove the # signs:\n"
          "# [load]\n# force = \"50 N\"\n"
          "\n[friction]\n" +
          to_fill("coefficient", {"0.3"},

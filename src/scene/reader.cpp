@@ -137,7 +137,9 @@ class Reader {
     const auto given = std::count_if(ways_.begin(), ways_.end(),
                                      [&](const char* key) { return contact.find(key) != nullptr; });
     if (given != 1)
-      throw InputError(contact.place(""), fmt::format("{} of {}", given, fmt::join(ways_, ", ")),
+      throw InputError(contact.place(""),
+                       fmt::format("{} of {}", given == 0 ? "none" : std::to_string(given),
+                                   fmt::join(ways_, ", ")),
                        "exactly one of them in [contact]");
     if (has_measured(contact, MeasuredSide::tangential)) {
       scene_.tangential =

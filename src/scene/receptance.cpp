@@ -35,7 +35,9 @@ Receptance read_receptance(const std::string& file, const Place& place) {
 Receptance parse_receptance(const std::string& text, const std::string& file) {
   Receptance receptance{.file = file, .rows = {}};
   CsvLines lines(text, file);
-  lines.take_header(receptance_header);
+  lines.take_header(receptance_header,
+                    "omega in rad/s, and Re and Im of displacement over force in m/N; of an "
+                    "amplitude A and a phase p they are A cos p and A sin p");
   while (lines.next()) {
     const auto numbers = lines.numbers(3, "three numbers: omega, Re, Im");
     const Receptance::Row row{numbers[0], numbers[1], numbers[2], lines.place().line};

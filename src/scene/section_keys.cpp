@@ -47,7 +47,7 @@ constexpr const char* speed_advice =
     "a sliding speed belongs to the command: vcrit simulate SCENE --velocity \"1 mm/s\"";
 constexpr const char* elements_advice = "springs and dampers have their values in [elements]";
 
-constexpr std::array<OtherWord, 33> other_words{
+constexpr std::array<OtherWord, 37> other_words{
     {{"load", load_advice},
      {"force", load_advice},
      {"normal_force", load_advice},
@@ -75,6 +75,10 @@ constexpr std::array<OtherWord, 33> other_words{
      {"u_z0", "the mean indentation is indentation"},
      {"depth", "the mean indentation is indentation"},
      {"m", "the mass of the body is mass"},
+     {"spring", "a spring is an element: network = \"kd\", and kd = \"2 N/um\" in [elements]"},
+     {"vibration", "what vibrates is said in [oscillation]"},
+     {"material", "the material is a network, normal in [contact], of elements in [elements]"},
+     {"simulation", "a simulation is asked for by the command: vcrit simulate SCENE"},
      {"stiffness", "a spring is an element: network = \"kd\", and kd = \"2 N/um\" in [elements]"},
      {"young",
       "below an [indenter] Young's modulus is normal = \"spring(E)\", with E in [elements]"},

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "base/identifiers.hpp"
+#include "base/trimmed.hpp"
 
 namespace vcrit {
 
@@ -46,7 +47,7 @@ std::pair<std::string, std::string> parse_setting(const std::string& text) {
   const auto equals = text.find('=');
   if (equals == text.npos || equals == 0)
     throw InputError(argument("set"), fmt::format("\"{}\"", text), "NAME=VALUE");
-  return {text.substr(0, equals), text.substr(equals + 1)};
+  return {std::string(trimmed(text.substr(0, equals), " ")), text.substr(equals + 1)};
 }
 
 OverridingValues::OverridingValues(const Settings& settings) {

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <utility>
 
+#include "base/numbers.hpp"
 #include "base/units.hpp"
 
 namespace vcrit {
@@ -83,6 +84,16 @@ std::string with_unit_in_brackets(const std::string& name) {
   return "";
 }
 
+/// What to do with a column that has no place here.
+std::string advice_on_column(const std::string& cell, const std::string& name) {
+  if (to_double(cell)) return "the first line names the columns, and numbers follow it";
+  if (cell.starts_with('#')) return "leave out lines of comments: the first line names the columns";
+  if (name.starts_with("g'") || name.starts_with("g_") || name.starts_with("shear"))
+    return "a shear modulus G is not Young's modulus: E = 2 (1 + nu) G";
+  const std::string bracketed = with_unit_in_brackets(name);
+  return bracketed.empty() ? "rename the column, or leave it out" : bracketed;
+}
+
 std::optional<double> modulus_in(const std::string& unit, const Place& place) {
   try {
     return parse_quantity("1 " + unit, Dimension::modulus, place);
@@ -100,6 +111,10 @@ double of_one(const Heading& heading, Dimension dimension, const Place& place) {
     std::string found = error.found();
     if (const std::string quoted = '"' + one + '"'; found.starts_with(quoted))
       found.replace(0, quoted.size(), '"' + heading.cell + '"');
+    if (dimension == Dimension::frequency &&
+        error.advice().find("angular_frequency") != std::string::npos)
+      throw InputError(place, found, error.expected(),
+                       fmt::format("name the column angular_frequency [{}]", heading.unit));
     throw InputError(place, found, error.expected(), error.advice());
   }
 }
@@ -170,7 +185,7 @@ StiffnessColumns stiffness_columns_of(const CsvLines& header, const std::optiona
     });
     if (match == known().end())
       throw InputError(header.place(), fmt::format("a column \"{}\"", cells[i]), expected_columns(),
-                       with_unit_in_brackets(found.name));
+                       advice_on_column(cells[i], found.name));
     const auto quantity = static_cast<std::size_t>(match - known().begin());
     auto& column = columns.of[quantity];
     if (column)
@@ -200,7 +215,7 @@ std::optional<std::string> assumed_units(const StiffnessColumns& columns) {
   if (list.empty()) return std::nullopt;
   // Instruments write moduli: as stiffnesses 2500 of them would be very soft, in silence.
   const bool may_be_modulus = columns.of[storage] && !columns.of[storage]->has_unit;
-  return "the header gives no units, taken were: " + list +
+  return "the header gives no units, so numbers count as " + list +
          "; other units stand behind a name, as in \"storage [N/um]\"" +
          (may_be_modulus ? ", and those of moduli, \"storage [MPa]\"" : "");
 }

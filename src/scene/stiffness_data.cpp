@@ -56,6 +56,8 @@ void refuse_frequency_order(const std::vector<StiffnessRow>& rows, const Place& 
   const double before = rows[rows.size() - 2].omega, now = rows.back().omega;
   const bool rises = rows[1].omega > rows[0].omega;
   if (now != before && (now > before) == rises) return;
+  if (now == before)
+    throw InputError(place, rounded(now / two_pi, "Hz") + " once more", "each frequency once");
   const auto [now_words, before_words] = rounded_apart(now / two_pi, before / two_pi, "Hz");
   throw InputError(place, fmt::format("{} after {}", now_words, before_words),
                    rises ? "frequencies that go on rising" : "frequencies that go on falling");
@@ -111,8 +113,8 @@ StiffnessTable parse_stiffness_table(const std::string& text, const std::string&
                     "stiffness is 2 a E/(1 - nu^2)",
                     rounded(punch->length(), "m"), rounded(punch->radius, "m"), punch->poisson));
   while (lines.next()) {
-    data.rows.push_back(
-        stiffness_row_of(lines.numbers(count, fmt::format("{} numbers, as the header has", count)), columns));
+    data.rows.push_back(stiffness_row_of(
+        lines.numbers(count, fmt::format("{} numbers, as the header has", count)), columns));
     data.rows.back().line = lines.place().line;
     storages.push_back(lines.cells()[columns[storage]->index]);
     losses.push_back(lines.cells()[columns[columns[tan_delta] ? tan_delta : loss]->index]);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <initializer_list>
 #include <string_view>
 
 #include "base/numbers.hpp"
@@ -57,10 +58,18 @@ bool is_word(std::string_view text) {
   return std::isalpha(first) != 0 || first >= 0x80;  // "um", and the micro sign
 }
 
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
 // Nothing for values that lack no quotes.
 std::string advice_on_bare(const KeyAndValue& line, std::string_view value) {
   for (const char* fine : {"true", "false", "inf", "nan"})
     if (value == fine) return "";
+  if (is_one_of(value, {"True", "TRUE", "yes", "Yes", "on"}))
+    return fmt::format("write {} = true", line.key);
+  if (is_one_of(value, {"False", "FALSE", "no", "No", "off"}))
+    return fmt::format("write {} = false", line.key);
   const LeadingNumber number = leading_number(value);
   if (number.length == 0 && (is_word(value) || value.starts_with('(')))
     return fmt::format("a text needs quotes: {} = \"{}\"", line.key, value);
@@ -102,9 +111,10 @@ InputError syntax_error(const std::string& text, const Place& place,
   if (const std::string twice = defined_twice(description); !twice.empty())
     return {place, fmt::format("\"{}\" for the second time", twice), "each name once",
             "leave one of them out"};
-  for (std::size_t i = 0; i < std::min(line.find_first_of("=#"), line.size()); ++i)
-    if (const auto name = complaint_beyond_ascii(line, i, {place.file, place.line, 1}))
-      return *name;
+  if (description.find("utf-8") != description.npos)
+    return {place, "a letter that is not UTF-8", "a scene in TOML", "save the file as UTF-8"};
+  if (place.file.ends_with(".csv"))
+    return {place, "a table", "a scene in TOML", "vcrit fit makes a scene of measured stiffness"};
   return {place, fmt::format("no TOML ({})", description), "a scene in TOML"};
 }
 

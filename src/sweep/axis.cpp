@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -33,6 +34,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
     else
       parts.back() += c;
   }
+  for (std::string& part : parts) part = trimmed(part, " ");
   return parts;
 }
 
@@ -44,15 +46,19 @@ Dimension dimension_of(const std::string& name, const Problem& problem, const Pl
   return known_dimension(name, known, place, problem->source->named);
 }
 
-/// "lin", "log", or what else begins like one of them: "linear", "logspace".
-std::string spacing_of(const std::string& word) {
+/// "lin", "log", or what else begins like one of them: "linear", "Log", "logspace".
+std::string spacing_of(std::string word) {
+  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   for (const char* spacing : {"lin", "log"})
     if (word.starts_with(spacing)) return spacing;
   return "";
 }
 
-/// An axis that lacks its lin or log, or writes it out.
+/// An axis that lacks its lin or log, or writes it out, or that lacks the number of its values.
 std::string meant_axis(const std::string& name, std::vector<std::string> parts) {
+  if (parts.size() == 3 && !spacing_of(parts[0]).empty())
+    return fmt::format("say how many values: \"{}={}:{}:{}:11\"", name, spacing_of(parts[0]),
+                       parts[1], parts[2]);
   if (parts.size() == 3 && spacing_of(parts[0]).empty()) parts.insert(parts.begin(), "lin");
   if (parts.size() != 4 || spacing_of(parts[0]).empty()) return "";
   return fmt::format("did you mean \"{}={}:{}:{}:{}\"?", name, spacing_of(parts[0]), parts[1],
@@ -108,7 +114,8 @@ Axis parse_axis(const std::string& text, const Problem& problem) {
   const Place whole = argument("over " + text);
   const auto equals = text.find('=');
   if (equals == text.npos) throw InputError(whole, fmt::format("\"{}\"", text), axis_form);
-  const std::string name = text.substr(0, equals), range = text.substr(equals + 1);
+  const std::string name(trimmed(text.substr(0, equals), " ")),
+      range(trimmed(text.substr(equals + 1), " "));
   const Place place = argument("over " + name);
   if (range.starts_with("list:")) {
     const Dimension dimension = dimension_of(name, problem, place);

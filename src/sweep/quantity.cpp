@@ -94,7 +94,9 @@ SweptQuantity parse_swept_quantity(const std::string& text, const Problem& probl
   for (const QuantityRow& row : quantity_rows())
     if (row.name == text && row.kind != Kind::sensitivity) return {row.kind, {}, separates, {}};
   const auto& names = swept_quantity_names();
-  const auto meant = nearest(text, names);
+  auto meant = nearest(text, names);
+  if (text.starts_with('v')) meant = "critical_velocity";  // v*, vstar, v_crit
+  if (text == "friction" || text == "mu") meant = "friction_ratio";
   throw InputError(
       place, fmt::format("\"{}\"", text),
       meant ? fmt::format("\"{}\"", *meant) : fmt::format("one of {}", fmt::join(names, ", ")));

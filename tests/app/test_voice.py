@@ -4,6 +4,7 @@ or option that was meant, colour on a terminal for what is wrong alone."""
 import os
 import pty
 import unittest
+from pathlib import Path
 
 import mpmath
 
@@ -145,6 +146,12 @@ class Tables(Case):
         for range_ in ("1 mm/s:5 mm/s:5", "linear:1 mm/s:5 mm/s:5", "linspace:1 mm/s:5 mm/s:5"):
             self.refused(2, [*self.SWEEP[:3], f"velocity={range_}", *self.SWEEP[4:]], 'did you mean "velocity=lin:1 mm/s:5 mm/s:5"?')
 
+        self.refused(2, [*self.SWEEP[:3], "velocity=lin:1 mm/s:5 mm/s", *self.SWEEP[4:]], 'say how many values: "velocity=lin:1 mm/s:5 mm/s:11"')
+
+    def test_quantities_go_by_other_words(self):
+        for word, meant in (("friction", "friction_ratio"), ("vstar", "critical_velocity"), ("v*", "critical_velocity")):
+            self.refused(2, [*self.SWEEP[:5], word], f'found "{word}"; expected "{meant}"')
+
     def test_quantities_stand_apart(self):
         self.refused(2, [*self.SWEEP[:5], "regime,friction_ratio"], 'found "regime,friction_ratio"',
                      "several stand apart, without commas: regime friction_ratio")
@@ -181,6 +188,22 @@ class Help(Case):
         both = "--velocity and --velocity-ratio"
         self.refused(2, ["simulate", ZENER], f"found none of {both}; expected one of the two")
         self.refused(2, ["simulate", ZENER, "--velocity", "1", "--velocity-ratio", "2"], f"found {both}; expected one of the two")
+
+    def test_what_belongs_elsewhere(self):
+        self.refused(2, ["eval", ZENER, "--frequency", "25"], "a number of the scene is --set frequency=VALUE")
+        self.refused(2, ["simulate", ZENER, "--velocity", "2", "mm/s"], 'a value with a blank in it needs quotes: "2 mm/s"')
+        self.refused(2, [ZENER], f"; vcrit eval {ZENER}")
+        self.refused(2, ["evaluate", ZENER], "did you mean eval?")
+        self.refused(2, ["simulate", ZENER, "--velocity-ratio", "0,5"], 'write a decimal point: "0.5"')
+        self.refused(2, ["eval", self.write("frequency,storage,loss\n", "d.csv")], "vcrit fit makes a scene of measured stiffness")
+        self.refused(2, ["eval", self.scene(normal="kn", network="rigid")], "leave out [drive]")
+        self.refused(2, ["eval", self.write(Path(ZENER).read_text().replace("poisson ", "poissons_ratio "))], 'expected "poisson"')
+
+    def test_blanks_around_signs_do_no_harm(self):
+        self.assertEqual(self.out("eval", ZENER, "--set", "k0 = 9 N/um"), self.out("eval", ZENER, "--set", "k0=9 N/um"))
+        axes = ["frequency=lin:1 kHz:2 kHz:3", "frequency = lin: 1 kHz : 2 kHz : 3"]
+        tables = [self.out("sweep", ZENER, "--over", axis, "--quantity", "critical_velocity") for axis in axes]
+        self.assertEqual(*tables)
 
     def test_options_that_exclude_each_other(self):
         self.refused(2, ["plot", ZENER, "--over", "frequency", "--cycle"], "--over and --cycle; expected one of the two")

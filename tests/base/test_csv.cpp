@@ -34,6 +34,10 @@ BOOST_AUTO_TEST_CASE(what_is_no_number_is_named) {
   BOOST_TEST(message("1,", 2) == "t.csv:1: found \"\"; expected a finite number");
   BOOST_TEST(message("1,2 3", 2) == "t.csv:1: found \"2 3\"; expected a finite number");
   BOOST_TEST(message("1,inf", 2) == "t.csv:1: found \"inf\"; expected a finite number");
+  const std::string advice = "; commas separate numbers, which have decimal points: 2.5";
+  for (const char* text : {"1,5,2,5,3,5", "1,2,5,3,5", "1;2;3"})
+    BOOST_TEST(message(text, 3).ends_with(advice), text);
+  BOOST_TEST(!message("1,2,3,4", 3).ends_with(advice));
   BOOST_TEST(message("1,2,3", 2) == "t.csv:1: found \"1,2,3\"; expected two numbers");
 }
 

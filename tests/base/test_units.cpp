@@ -1,6 +1,7 @@
 // Quantities with units against conversions done by hand.
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "base/units.hpp"
@@ -142,9 +143,36 @@ BOOST_AUTO_TEST_CASE(a_decimal_comma_is_named) {
   BOOST_TEST(has(message("1,5000 N/m", Dimension::stiffness), "point: \"1.5000 N/m\""));
 }
 
+// Minutes of arc to udunits: 8'000 N/mm would be 8 N/mm.
+BOOST_AUTO_TEST_CASE(nothing_stands_between_thousands) {
+  using enum Dimension;
+  for (const char* text : {"8'000 N/mm", "8 000 N/mm"})
+    BOOST_TEST(has(message(text, stiffness), "write nothing between thousands: \"8000 N/mm\""));
+  BOOST_TEST(has(message("1'234'567.5 N/m", stiffness), "\"1234567.5 N/m\""));
+  BOOST_TEST(has(message("1.000,5 um", length), "nothing between thousands: \"1000.5 um\""));
+  for (const char* text : {"8'00 N/mm", "8' N/mm", "8 0000 N/mm", "0.3 500 N/mm"}) {
+    BOOST_TEST(!has(message(text, stiffness), "thousands"));
+    BOOST_TEST(has(message(text, stiffness), "found"));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_angle_is_no_plain_number) {
+  for (const char* text : {"17 deg", "0.3 rad", "17\u00b0"})
+    BOOST_TEST(has(message(text, Dimension::none),
+                   "(an angle); expected a plain number; write the "
+                   "tangent of the angle, if that is meant"));
+  BOOST_TEST(near(parse_quantity("30 %", Dimension::none, place), 0.3));
+  BOOST_TEST(near(parse_quantity("180 deg", Dimension::angle, place), std::numbers::pi));
+}
+
+BOOST_AUTO_TEST_CASE(an_amplitude_is_a_peak_value) {
+  for (const char* text : {"6 um peak", "6 um (peak)", "6 um 0-pk"})
+    BOOST_TEST(has(message(text, Dimension::length), "an amplitude is one: \"6 um\""));
+}
+
 BOOST_AUTO_TEST_CASE(peak_to_peak_is_halved) {
   for (const char* text : {"12 um pp", "12 um p-p", "12 um peak-to-peak", "12 um peak to peak",
-                           "12 um_pp", "12 umpp", "12 um (pp"})
+                           "12 um_pp", "12 umpp", "12 um (pp", "12 um (pp)", "12 um pk-pk"})
     BOOST_TEST(
         has(message(text, Dimension::length), "an amplitude is half of peak to peak: \"6 um\""));
   BOOST_TEST(!has(message("12 N pp", Dimension::length), "half"));

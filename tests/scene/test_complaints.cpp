@@ -104,6 +104,8 @@ BOOST_AUTO_TEST_CASE(lines_that_are_no_toml_do_not_hide_the_others) {
                  "a text needs quotes: normal = \"k0 | c0\""));
   BOOST_TEST(has(first(with_lines({{6, "amplitude = 0,2"}})), "write a decimal point: \"0.2\""));
   BOOST_TEST(has(first(with_lines({{11, "k0 = 3\nk0 = 4"}})), "\"k0\" for the second time"));
+  BOOST_TEST(has(first(with_lines({{3, "separation = True"}})), "write separation = true"));
+  BOOST_TEST(has(first(with_lines({{2, "normal = \"\xe9\""}})), "save the file as UTF-8"));
   BOOST_TEST(has(first("[contact\n"), "no TOML"));
   BOOST_TEST(errors("[contact\nnormal = \n").size() == 1U);
 }

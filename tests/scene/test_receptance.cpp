@@ -51,9 +51,13 @@ BOOST_FIXTURE_TEST_CASE(an_angular_frequency_lies_on_a_row_or_between_two, Table
 }
 
 BOOST_FIXTURE_TEST_CASE(wrong_tables, Table) {
+  const std::string units =
+      "omega in rad/s, and Re and Im of displacement over force in m/N; of an amplitude A and a "
+      "phase p they are A cos p and A sin p";
   BOOST_TEST(message("w,Re,Im\n1,2,3\n") ==
-             "r.csv:1: found \"w,Re,Im\"; expected the header omega,Re,Im");
-  BOOST_TEST(message("") == "r.csv: found an empty table; expected the header omega,Re,Im");
+             "r.csv:1: found \"w,Re,Im\"; expected the header omega,Re,Im; " + units);
+  BOOST_TEST(message("") ==
+             "r.csv: found an empty table; expected the header omega,Re,Im; " + units);
   BOOST_TEST(
       message("omega,Re,Im\n") ==
       "r.csv:1: found no row of numbers; expected at least two rows, to interpolate between them");

@@ -36,10 +36,10 @@ BOOST_AUTO_TEST_CASE(units_stand_in_the_header) {
       "2,1,3,0.5,7\n4,2,5,0.25,8\n8,3,5,0.25,8\n",
       "d.csv");
   BOOST_TEST_REQUIRE(data.rows.size() == 3U);
-  BOOST_TEST(
-      data.notes.front() ==
-      "the header gives no units, taken were: storage_error in N/m; other units stand behind "
-      "a name, as in \"storage [N/um]\"");
+  BOOST_TEST(data.notes.front() ==
+             "the header gives no units, so numbers count as storage_error in N/m; other units "
+             "stand behind "
+             "a name, as in \"storage [N/um]\"");
   BOOST_TEST(data.has_errors);
   BOOST_TEST(close(data.rows[0].omega, 2000 * std::numbers::pi));
   BOOST_TEST(close(data.rows[0].loss, 2000));
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(bare_numbers_are_si_and_frequencies_may_fall) {
           .rows[1]
           .omega == 2);
   BOOST_TEST(
-      data.notes.front().starts_with("the header gives no units, taken were: "
+      data.notes.front().starts_with("the header gives no units, so numbers count as "
                                      "angular_frequency in rad/s, storage in N/m, loss in "
                                      "N/m;"));
   BOOST_TEST(data.notes.front().ends_with("and those of moduli, \"storage [MPa]\""));
@@ -125,7 +125,18 @@ BOOST_AUTO_TEST_CASE(wrong_headers) {
              std::string("d.csv:1: found no column loss or tan_delta") + columns);
   BOOST_TEST(message("storage,loss\n1,2\n") ==
              std::string("d.csv:1: found no column frequency or angular_frequency") + columns);
-  BOOST_TEST(message("1,2,3\n4,5,6\n") == std::string("d.csv:1: found a column \"1\"") + columns);
+  BOOST_TEST(message("1,2,3\n4,5,6\n") ==
+             std::string("d.csv:1: found a column \"1\"") + columns +
+                 "; the first line names the columns, and numbers follow it");
+  BOOST_TEST(message("# 2026\nfrequency,storage,loss\n")
+                 .ends_with("; leave out lines of comments: the first line names the columns"));
+  BOOST_TEST(message("f,G',G''\n").ends_with("E = 2 (1 + nu) G"));
+  BOOST_TEST(
+      message("f,storage,loss,temperature\n").ends_with("; rename the column, or leave it out"));
+  BOOST_TEST(
+      message("f [rad/s],storage,loss\n").ends_with("; name the column angular_frequency [rad/s]"));
+  BOOST_TEST(message("f,storage,tan_delta [deg]\n")
+                 .starts_with("d.csv:1: found \"tan_delta [deg]\" (an angle)"));
   BOOST_TEST(message("frequency,angular_frequency,storage,loss\n") ==
              "d.csv:1: found frequency and angular_frequency; expected one of the two");
   BOOST_TEST(message("frequency,loss,storage,loss\n") ==
@@ -185,7 +196,11 @@ BOOST_AUTO_TEST_CASE(wrong_rows) {
     return message("angular_frequency,storage,loss\n" + rows);
   };
   BOOST_TEST(order("1,2,3\n2,2,3\n2,2,3\n") ==
-             "d.csv:4: found 0.3183 Hz after 0.3183 Hz; expected frequencies that go on rising");
+             "d.csv:4: found 0.3183 Hz once more; expected each frequency once");
+  BOOST_TEST(order("1,2,3\n1,2,3\n") ==
+             "d.csv:3: found 0.1592 Hz once more; expected each frequency once");
+  BOOST_TEST(order("1,2,3\n2,2,5,0,3\n")
+                 .ends_with("; commas separate numbers, which have decimal points: 2.5"));
   BOOST_TEST(order("3,2,3\n2,2,3\n\n4,2,3\n") ==
              "d.csv:5: found 0.6366 Hz after 0.3183 Hz; expected frequencies that go on falling");
   BOOST_TEST(message("frequency,storage,loss,storage_error,loss_error\n1,2,3,0,1\n") ==
