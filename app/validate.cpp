@@ -79,9 +79,9 @@ Validation validated(const ValidateOptions& options) {
   const validation::report::Request& request = options.request;
   const char* const instead = options.paper ? "--paper" : "--extremes";
   if (options.paper && options.extremes)
-    throw InputError({"--extremes"}, "--paper beside it", "one or the other");
+    throw InputError({"--extremes"}, "--paper as well", "one or the other");
   if ((options.paper || options.extremes) && !request.files.empty())
-    throw InputError({instead}, "scene files beside it", "one or the other");
+    throw InputError({instead}, "scene files as well", "one or the other");
   if (options.paper) return validation::report::validate_paper(request, show_progress);
   if (options.extremes) return validation::report::validate_extremes(request, show_progress);
   if (request.files.empty())

@@ -74,7 +74,7 @@ class Json(Case):
         told = self.failure("fit", "absent.csv", "--out", "pad.toml")
         self.assertEqual(told["place"], {"file": "absent.csv"})
         told = self.failure("validate", KELVIN, "--paper", "--out", "out")
-        self.assertEqual(told["found"], "scene files beside it")
+        self.assertEqual(told["found"], "scene files as well")
 
     def test_a_failure_of_the_model_and_of_the_command_line(self):
         told = self.failure("generate", example("separation"), "--out", "out", status=3)
