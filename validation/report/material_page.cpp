@@ -166,7 +166,8 @@ std::optional<Values> values_of(const Problem& problem, const Network& network) 
 
 /// Below an indenter the contact's networks are moduli of the half-space.
 MaterialUnits units_of(const Problem& problem, const Material& material) {
-  if (problem->indenter && material.network != problem->drive_network()) return {"Pa", "Pa.s", true};
+  if (problem->indenter && material.network != problem->drive_network())
+    return {"Pa", "Pa.s", true};
   return {};
 }
 
