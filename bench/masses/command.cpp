@@ -80,14 +80,37 @@ Chain with(int masses, double fastest) {
 double seconds_of_curve(const Chain& chain, double repeat) {
   std::vector<double> velocities;
   for (int i = 1; i <= speeds; ++i) velocities.push_back(chain.v_star * i / (speeds + 1));
-  return settled_time(
-             [&] { simulation::friction_curve(chain.system, velocities, [](auto...) {}); },
-             repeat) /
+  return settled_time([&] { simulation::friction_curve(chain.system, velocities, [](auto...) {}); },
+                      repeat) /
          speeds;
 }
 
-double seconds_of_state(const Chain& chain, double repeat) {
-  return settled_time([&] { simulation::steady_state(chain.system, 0.5 * chain.v_star); }, repeat);
+// Another drive each time, by a share that changes nothing else: its free motions are found anew.
+double seconds_of_new_drive(const Chain& chain, double repeat) {
+  simulation::System system = chain.system;
+  double share = 1;
+  return settled_time(
+      [&] {
+        share += 1e-9;
+        if (system.masses) {
+          auto changed = *chain.system.masses;
+          for (long double& rate : changed.motion.rates.numbers()) rate *= share;
+          system.masses = std::make_shared<simulation::DriveWithMasses>(std::move(changed));
+        }
+        simulation::steady_state(system, 0.5 * chain.v_star);
+      },
+      repeat);
+}
+
+// Another amplitude each time, as over the rows of a sweep.
+double seconds_of_new_amplitude(const Chain& chain, double repeat) {
+  simulation::System system = chain.system;
+  return settled_time(
+      [&] {
+        system.normal_force_amplitude *= 1 - 1e-9;
+        simulation::steady_state(system, 0.5 * chain.v_star);
+      },
+      repeat);
 }
 
 template <class Seconds>
@@ -113,8 +136,10 @@ void run_masses(double repeat) {
   fmt::print("The exact method, a body and a chain of N masses with it\n\n");
   print_times("A curve over 50 speeds up to v*, per speed",
               [&](const Chain& chain) { return seconds_of_curve(chain, repeat); });
-  print_times("One steady state alone, v0 = 0.5 v*",
-              [&](const Chain& chain) { return seconds_of_state(chain, repeat); });
+  print_times("One steady state alone, v0 = 0.5 v*, another amplitude each time",
+              [&](const Chain& chain) { return seconds_of_new_amplitude(chain, repeat); });
+  print_times("One steady state alone, v0 = 0.5 v*, another drive each time",
+              [&](const Chain& chain) { return seconds_of_new_drive(chain, repeat); });
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -40,12 +41,21 @@ WideMatrix wide_matrix(const Dense<long double>& a) {
   return result;
 }
 
+/// As GeneralModes has them, in more digits.
+struct WideModes {
+  std::vector<WideReal> rates;
+  std::vector<std::pair<WideReal, WideReal>> pairs;  ///< decay, q
+  WideMatrix from, to;
+  double amplification = 1, change = 0;
+};
+
 class Decomposition {
  public:
   explicit Decomposition(const WideMatrix& a)
       : a_(a), size_(a.norm()), eigen_(linear::general_eigen(a)) {
     if (!eigen_.converged)
       throw ModelError("the free motions of the drive with its masses do not converge");
+    shapes_ = eigen_.pseudoEigenvectors();
     for (Eigen::Index i = 0; i < a.rows(); ++i) {
       const std::complex<WideReal> s = eigen_.values[i];
       if (s.imag() == 0)
@@ -58,31 +68,23 @@ class Decomposition {
     for (const Eigen::Index i : real_) add_single(i);
   }
 
-  GeneralModes modes() const {
+  WideModes modes() const {
     const Eigen::Index n = a_.rows();
-    WideMatrix from(n, n);
+    WideModes result;
+    result.from.resize(n, n);
     Eigen::Index column = 0;
-    GeneralModes result;
     for (const auto& [rate, shape] : singles_) {
-      result.modes.spectrum.rates.push_back(static_cast<double>(rate));
-      from.col(column++) = shape;
+      result.rates.push_back(rate);
+      result.from.col(column++) = shape;
     }
     for (const Plane& plane : planes_) {
-      result.modes.spectrum.pairs.emplace_back(static_cast<double>(plane.decay),
-                                               static_cast<double>(plane.q));
-      from.col(column++) = plane.a;
-      from.col(column++) = plane.b;
+      result.pairs.emplace_back(plane.decay, plane.q);
+      result.from.col(column++) = plane.a;
+      result.from.col(column++) = plane.b;
     }
-    const WideMatrix to = linear::Lu<WideReal>(from).inverse();
-    const auto size = static_cast<Index>(n);
-    result.modes.to_modes = result.modes.from_modes = Matrix(size, size);
-    for (Index i = 0; i < size; ++i)
-      for (Index j = 0; j < size; ++j) {
-        const auto row = static_cast<Eigen::Index>(i), other = static_cast<Eigen::Index>(j);
-        result.modes.to_modes(i, j) = static_cast<double>(to(row, other));
-        result.modes.from_modes(i, j) = static_cast<double>(from(row, other));
-      }
-    result.amplification = static_cast<double>((from.cwiseAbs() * to.cwiseAbs()).maxCoeff());
+    result.to = result.from.partialPivLu().inverse();
+    result.amplification =
+        static_cast<double>((result.from.cwiseAbs() * result.to.cwiseAbs()).maxCoeff());
     return result;
   }
 
@@ -96,14 +98,15 @@ class Decomposition {
   WideReal decaying(WideReal rate) const { return rate > no_rate * size_ ? rate : 0; }
 
   void add_single(Eigen::Index i) {
-    const WideColumn shape = eigen_.vectors.col(i).real();
-    singles_.emplace_back(decaying(-eigen_.values[i].real()), shape / shape.norm());
+    const WideColumn shape = shapes_.col(i);
+    singles_.emplace_back(decaying(-eigen_.eigenvalues()[i].real()), shape / shape.norm());
   }
 
   void add_pair_of(Eigen::Index i) {
     const std::complex<WideReal> s = eigen_.values[i];
     if (s.imag() < close_modes * std::abs(s) && add_plane(-s.real(), -s.imag() * s.imag())) return;
-    const WideColumn real = eigen_.vectors.col(i).real(), imaginary = eigen_.vectors.col(i).imag();
+    const WideReal norm = shapes_.middleCols(i, 2).norm();
+    const WideColumn real = shapes_.col(i) / norm, imaginary = shapes_.col(i + 1) / norm;
     planes_.push_back({decaying(-s.real()), -s.imag() * s.imag(), imaginary / s.imag(), real});
   }
 
@@ -159,7 +162,8 @@ class Decomposition {
 
   WideMatrix a_;
   WideReal size_;
-  linear::GeneralEigen<WideReal> eigen_;
+  Eigen::EigenSolver<WideMatrix> eigen_;
+  WideMatrix shapes_;  ///< a column a real mode; of a pair its real part, then its imaginary one
   std::vector<Eigen::Index> real_;
   std::vector<std::pair<WideReal, WideColumn>> singles_;
   std::vector<Plane> planes_;
@@ -174,30 +178,92 @@ WideMatrix changed(WideMatrix a, WideReal share) {
   return a;
 }
 
-}  // namespace
-
-GeneralModes general_modes(const Dense<long double>& a) {
+WideModes decomposed(const Dense<long double>& a) {
   const WideMatrix exact = wide_matrix(a);
-  GeneralModes found = Decomposition(exact).modes();
+  WideModes found = Decomposition(exact).modes();
   if (found.amplification < worst_amplification) return found;
-  GeneralModes apart = Decomposition(changed(exact, small_change)).modes();
+  WideModes apart = Decomposition(changed(exact, small_change)).modes();
   apart.change = static_cast<double>(small_change);
-  const auto error = [](const GeneralModes& each) {
+  const auto error = [](const WideModes& each) {
     return each.change + epsilon * each.amplification;
   };
   return error(apart) < error(found) ? apart : found;
 }
 
-List<std::complex<double>> response(const Dense<long double>& a, std::complex<double> s) {
-  using Complex = std::complex<WideReal>;
-  linear::Matrix<Complex> shifted = -wide_matrix(a).cast<Complex>();
-  shifted.diagonal().array() += Complex(s.real(), s.imag());
-  const linear::Vector<Complex> force = linear::Vector<Complex>::Unit(shifted.rows(), 0),
-                                found = linear::solve_fully_pivoted(shifted, force);
+// A grid asks for the modes of one drive at all of its points: those in slip, and over amplitudes
+// and loads those in stick as well.
+class LastModes {
+ public:
+  const WideModes& of(const Dense<long double>& a) {
+    for (const Found& each : found_)
+      if (each.a.rows() == a.rows() && each.a.numbers() == a.numbers()) return each.modes;
+    next_ = (next_ + 1) % found_.size();
+    found_[next_] = {a, decomposed(a)};
+    return found_[next_].modes;
+  }
+
+ private:
+  struct Found {
+    Dense<long double> a;
+    WideModes modes;
+  };
+  std::array<Found, 4> found_;
+  std::size_t next_ = 0;
+};
+
+// Of a pair's parts the first is as large as the inverse of a rate.
+GeneralModes per_unit(const WideModes& wide, WideReal unit) {
+  GeneralModes result;
+  for (const WideReal rate : wide.rates)
+    result.modes.spectrum.rates.push_back(static_cast<double>(rate / unit));
+  for (const auto& [decay, q] : wide.pairs)
+    result.modes.spectrum.pairs.emplace_back(static_cast<double>(decay / unit),
+                                             static_cast<double>(q / unit / unit));
+  const auto singles = static_cast<Eigen::Index>(wide.rates.size()), n = wide.to.rows();
+  const auto size = [&](Eigen::Index mode) {
+    return mode >= singles && (mode - singles) % 2 == 0 ? unit : 1;
+  };
+  result.modes.to_modes = result.modes.from_modes =
+      Matrix(static_cast<Index>(n), static_cast<Index>(n));
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const auto row = static_cast<Index>(i), column = static_cast<Index>(j);
+      result.modes.to_modes(row, column) = static_cast<double>(wide.to(i, j) / size(i));
+      result.modes.from_modes(row, column) = static_cast<double>(wide.from(i, j) * size(j));
+    }
+  result.amplification = wide.amplification;
+  result.change = wide.change;
+  return result;
+}
+
+}  // namespace
+
+GeneralModes general_modes(const Dense<long double>& a, double unit) {
+  thread_local LastModes last;
+  return per_unit(last.of(a), unit);
+}
+
+namespace {
+
+// (s - A)^-1 e_1 in numbers that hold s.
+template <class Number>
+List<std::complex<double>> response_in(const Dense<long double>& a, Number s) {
+  using NumberMatrix = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
+  NumberMatrix shifted = -wide_matrix(a).cast<Number>();
+  shifted.diagonal().array() += s;
+  const Eigen::Matrix<Number, Eigen::Dynamic, 1> found =
+      shifted.fullPivLu().solve(NumberMatrix::Identity(shifted.rows(), 1));
   List<std::complex<double>> result;
-  for (const Complex& each : found)
+  for (const std::complex<WideReal> each : found)
     result.emplace_back(static_cast<double>(each.real()), static_cast<double>(each.imag()));
   return result;
+}
+
+}  // namespace
+
+List<std::complex<double>> response(const Dense<long double>& a, std::complex<double> s) {
+  if (s.imag() == 0) return response_in<WideReal>(a, s.real());
+  return response_in(a, std::complex<WideReal>(s.real(), s.imag()));
 }
 
 }  // namespace vcrit::simulation

@@ -23,9 +23,10 @@ struct GeneralModes {
   double amplification = 1, change = 0;
 };
 
-/// A in units in which all numbers of y are alike, with no growing mode but by rounding. Throws
-/// ModelError where the eigenvalues do not converge.
-GeneralModes general_modes(const Dense<long double>& a);
+/// Of A/unit: A in units in which all numbers of y are alike, with no growing mode but by rounding.
+/// The last few A are remembered, whatever the unit, by each thread. Throws ModelError where the
+/// eigenvalues do not converge.
+GeneralModes general_modes(const Dense<long double>& a, double unit = 1);
 
 /// (s - A)^-1 e_1.
 List<std::complex<double>> response(const Dense<long double>& a, std::complex<double> s);

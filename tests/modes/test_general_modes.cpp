@@ -82,6 +82,20 @@ BOOST_AUTO_TEST_CASE(random_passive_systems) {
   }
 }
 
+// Those of A/unit, of a matrix that was asked for before in another unit, and of one beside it.
+BOOST_AUTO_TEST_CASE(in_other_units_of_time) {
+  std::mt19937 random(11);
+  const Wide first = passive(random, 3, 4, 0.3);
+  Wide second = first;
+  second(0, 0) -= 1e-3L;
+  for (const double unit : {1.0, 0.3, 1.2566e5})
+    for (const Wide& a : {first, second}) {
+      const GeneralModes found = general_modes(dense(a), unit);
+      for (const double t : {0.7, 5.0})
+        BOOST_TEST(worst_difference(a / unit, found, t) <= 2e-15 * (1 + t) * found.amplification);
+    }
+}
+
 // v' = -2 z v - h, h' = v: both rates meet at z = 1, where a pair keeps all digits.
 BOOST_AUTO_TEST_CASE(through_critical_damping) {
   for (const double off : {-1e-3, -1e-9, -1e-15, 0.0, 1e-15, 1e-9, 1e-3}) {

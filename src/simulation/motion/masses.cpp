@@ -16,6 +16,8 @@ Dense<long double> per_radian(Dense<long double> rates, double omega) {
 Masses::Masses(const DriveMotion& motion, double omega, double stiffness_unit)
     : mass(motion.mass * omega * (omega / stiffness_unit)),
       fluidity(motion.fluidity * (stiffness_unit / omega)),
+      frequency(omega),
+      by_second(motion.rates),
       exact(per_radian(motion.rates, omega)),
       rest(motion.rest.begin(), motion.rest.end()) {
   const Index n = rest.size();
@@ -30,7 +32,9 @@ Masses::Masses(const DriveMotion& motion, double omega, double stiffness_unit)
   steady[0] = -fluidity;
 }
 
-GeneralModes slip_modes(const Masses& masses) { return general_modes(masses.exact); }
+GeneralModes slip_modes(const Masses& masses) {
+  return general_modes(masses.by_second, masses.frequency);
+}
 
 // A branch of the contact in units of energy, rho = sqrt(k m) times its number, so that it and the
 // body act on each other by sqrt(k/m).

@@ -17,10 +17,12 @@ struct Masses {
 
   Index states() const { return rest.size(); }
 
-  double mass = 0;      ///< of the body's end
-  double fluidity = 0;  ///< its velocity under a constant force of 1; 0 with a spring
-  Dense<long double> exact;
-  Matrix rates;   ///< A, rounded
+  double mass = 0;               ///< of the body's end
+  double fluidity = 0;           ///< its velocity under a constant force of 1; 0 with a spring
+  double frequency = 0;          ///< rad/s, of the oscillation
+  Dense<long double> by_second;  ///< A (1/s), the same at all frequencies
+  Dense<long double> exact;      ///< A
+  Matrix rates;                  ///< A, rounded
   Matrix losses;  ///< -(A + A^T)/2: x.losses x times the mass is the power of the drive's dampers
   Vector steady;  ///< x_b under a constant force of 1
   Vector rest;    ///< x_b where everything moves by 1
