@@ -18,7 +18,8 @@ using MotionReal = long double;
 using MotionMatrix = Eigen::Matrix<MotionReal, Eigen::Dynamic, Eigen::Dynamic>;
 using MotionColumn = Eigen::Matrix<MotionReal, Eigen::Dynamic, 1>;
 
-// Stiffnesses below this share of the largest are none: rounding of the sums that make them.
+// What is left of a mass's own stiffness by less than this share is none: rounding of the sums that
+// make it.
 constexpr MotionReal no_stiffness = 1e-17L;
 
 // What of A^k F is new by less than this share is rounding of the drive's numbers, which are
@@ -57,21 +58,42 @@ struct WholeDrive {
     }
   }
 
-  // Springs by their eigenvectors: those along which there are none move freely.
-  void split(const MotionMatrix& stiffness) {
-    const auto eigen = linear::symmetric_eigen(stiffness);
-    const MotionReal largest = eigen.values.maxCoeff();
+  // Springs by Cholesky's factors, which know a soft spring of a heavy mass as well as a stiff one
+  // of a light mass: eigenvalues have the rounding of the largest. The mass of which the others
+  // take the least goes first; those of which nothing is left move freely.
+  void split(MotionMatrix stiffness) {
     const Eigen::Index n = stiffness.rows();
-    free.resize(n, 0);
+    const MotionColumn own = stiffness.diagonal();
+    std::vector<Eigen::Index> held, rest;
+    for (Eigen::Index i = 0; i < n; ++i) rest.push_back(i);
     elongations.resize(n, 0);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const MotionReal value = eigen.values[i];
-      if (value > no_stiffness * static_cast<MotionReal>(n) * largest) {
-        add_elongation(std::sqrt(value) * eigen.vectors.col(i), 0);
-      } else {
-        free.conservativeResize(n, free.cols() + 1);
-        free.col(free.cols() - 1) = eigen.vectors.col(i);
+    const auto left = [&](Eigen::Index i) { return own[i] > 0 ? stiffness(i, i) / own[i] : 0; };
+    while (!rest.empty()) {
+      const auto next = std::ranges::max_element(rest, {}, left);
+      const Eigen::Index i = *next;
+      if (!(left(i) > no_stiffness * static_cast<MotionReal>(n))) break;
+      const MotionColumn pull = stiffness.col(i) / std::sqrt(stiffness(i, i));
+      stiffness -= pull * pull.transpose();
+      stiffness.row(i).setZero();
+      stiffness.col(i).setZero();
+      add_elongation(pull, 0);
+      held.push_back(i);
+      rest.erase(next);
+    }
+    set_free(held, rest);
+  }
+
+  // Each mass that nothing is left of by 1, and the others so that no spring is longer.
+  void set_free(const std::vector<Eigen::Index>& held, const std::vector<Eigen::Index>& rest) {
+    free = MotionMatrix::Zero(elongations.rows(), static_cast<Eigen::Index>(rest.size()));
+    for (std::size_t k = 0; k < rest.size(); ++k) {
+      auto way = free.col(place_at(k));
+      way[rest[k]] = 1;
+      for (std::size_t j = held.size(); j-- > 0;) {
+        const auto pull = elongations.col(place_at(j));
+        way[held[j]] = -pull.dot(way) / pull[held[j]];
       }
+      way /= way.norm();
     }
   }
 

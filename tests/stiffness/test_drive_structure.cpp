@@ -175,4 +175,16 @@ BOOST_AUTO_TEST_CASE(fluidity_is_that_of_a_constant_force) {
   BOOST_TEST(fluidity("k1 | (c1 - mass(m1))") == 0);
 }
 
+// A body of 4 t on a spring of 1 N/m, and behind it 1 ug on one of 50 kN/um: what holds the body is
+// 1e-26 of the stiffest for its mass, and no less a spring for that. The body swings at
+// sqrt(1/4000) rad/s.
+BOOST_AUTO_TEST_CASE(a_soft_spring_of_a_heavy_mass_is_one) {
+  const Drive one = drive("k1 - (mass(m1) | k2)", {{{"k1"}, 1}, {{"k2"}, 5e10}, {{"m1"}, 1e-9}});
+  const DriveMotion motion = drive_motion(drive_structure(one.network, one.values, 4000));
+  BOOST_TEST(motion.fluidity == 0);
+  long double slowest = std::abs(motion.poles.front());
+  for (const auto& pole : motion.poles) slowest = std::min(slowest, std::abs(pole));
+  BOOST_TEST(std::abs(static_cast<double>(slowest) / std::sqrt(1 / 4000.0) - 1) < 1e-3);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
