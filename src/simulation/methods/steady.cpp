@@ -91,6 +91,10 @@ SteadyState settle(PeriodMap& map, const MethodOptions& options) {
   SteadyState found = options.newton ? by_newton(periods, std::move(state))
                                      : plain_periods(periods, std::move(state));
   found.friction_ratio_error += map.resolution();
+  // Its work is the drive's: of a motion that repeats, it is not below 0.
+  if (found.friction_ratio < -found.friction_ratio_error)
+    throw ModelError(
+        "has not settled: friction pushes the drive on, as it does in no steady motion");
   return found;
 }
 

@@ -7,6 +7,8 @@
 #include "simulation/chains.hpp"
 #include "simulation/methods/methods.hpp"
 #include "simulation/system/system.hpp"
+#include "support/refusal.hpp"
+#include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_methods_with_masses)
 
@@ -56,6 +58,34 @@ BOOST_AUTO_TEST_CASE(the_reduced_model_knows_none) {
   const auto chain = reference::chains().front();
   BOOST_CHECK_THROW(steady_state(Method::reduced, system_of(chain.scene), chain.velocity),
                     ModelError);
+}
+
+// So slow a body that its speed says nothing of the period: a march that slid ahead of the drive
+// repeats to rounding, but its friction would push the drive on, and v0 <F> is what is lost.
+BOOST_AUTO_TEST_CASE(friction_pushes_no_drive_on) {
+  const test::SceneText text{.normal = "k1 | (k2 - c3)",
+                             .poisson = 0.3096,
+                             .separation = true,
+                             .network = "(kd4 | cd5) - (mass(md6) | (kd7 | cd8))",
+                             .mass = 46867.00967610571,
+                             .angular_frequency = 151243638.88847274,
+                             .amplitude = 1.5331645987538705e-07,
+                             .indentation = {},
+                             .coefficient = 0.3,
+                             .elements = {{"k1", 176638464.4017339},
+                                          {"k2", 3.3897675162676846},
+                                          {"c3", 5.485356807234443e-09},
+                                          {"kd4", 0.011327318306121208},
+                                          {"cd5", 5.658572134051975e-11},
+                                          {"md6", 655497.3565770627},
+                                          {"kd7", 4677684613031603.0},
+                                          {"cd8", 5.583465731964918}},
+                             .more = "[load]\nforce = 65982.98732472933\n"};
+  const System system = system_of(test::scene_of(text));
+  BOOST_CHECK_EXCEPTION(steady_state(Method::moreau, system, 8.056325363255551), ModelError,
+                        [](const ModelError& error) {
+                          return test::has(error.what(), "friction pushes the drive on");
+                        });
 }
 
 BOOST_AUTO_TEST_SUITE_END()
