@@ -215,7 +215,7 @@ BOOST_AUTO_TEST_CASE(a_fault_below_an_indenter_on_a_drive_is_red) {
     const SceneReport report = report_without_formula(scene, "no formula", witnesses);
     BOOST_TEST(report.failure == "No formula.");
     const auto expected = fault ? Comparison::Outcome::failed : Comparison::Outcome::passed;
-    for (const char* key : {"marched", "cells"})
+    for (const char* key : {"harmonics", "marched", "cells"})
       BOOST_TEST((outcome_of(report, key) == expected), key << " " << fault);
     // Friction's own, which the fault does not touch.
     BOOST_TEST((outcome_of(report, "rise") == Comparison::Outcome::passed));

@@ -227,6 +227,25 @@ BOOST_AUTO_TEST_CASE(a_drive_with_masses_is_simulated_and_a_measured_one_as_well
   }
 }
 
+// Not even where v* has no formula, where the contact opens, and where a body on a soft spring
+// rings for a thousand periods when it starts at rest.
+BOOST_AUTO_TEST_CASE(nothing_is_left_out_of_indenters_on_drives_of_what_opens_or_rings) {
+  const PrivateFolder folder;
+  const auto validation =
+      run({scenes + "/leaf_spring.toml", scenes + "/separation.toml", scenes + "/tribometer.toml"},
+          folder.path());
+  BOOST_TEST(validation.passed);
+  BOOST_TEST(validation.not_run.empty());
+  const json report = json::parse(read_file(folder.path() / "report.json"));
+  const json &ball = report["scenes"][0], &opening = report["scenes"][1],
+             &pin = report["scenes"][2];
+  BOOST_TEST(comparison(ball, "harmonics")["tolerance"] < 1e-11);
+  BOOST_TEST(comparison(opening, "generated_certified")["detail"] ==
+             "the evaluator of the contact that stays closed");
+  BOOST_TEST(comparison(pin, "marched")["name"] ==
+             "marched by rk8pd: starts in sliding stick at 0.999 v* and slide at 1.001 v*");
+}
+
 // Of one scene in the folder itself, of several in a folder for each, as their pages are called.
 BOOST_AUTO_TEST_CASE(figures_are_written_where_they_are_asked_for) {
   const PrivateFolder folder;

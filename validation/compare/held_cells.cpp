@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <optional>
 #include <vector>
 
@@ -222,6 +223,46 @@ double held_size(const HalfSpace& half_space, const HeldBody& change) {
 }
 
 }  // namespace
+
+// A cell that opens forgets in the time that it is off the surface, or soon after: what it
+// remembers fades by a period's share of its relaxation. One that never opens has the sum of its
+// mean and of its answer to the oscillation, and takes no part in the march.
+std::vector<double> pressed_in_steps(const HalfSpace& half_space, int cells, int steps) {
+  const double omega = half_space.omega(), width = half_space.edge() / cells;
+  const std::complex<double> swing =
+      half_space.amplitude() * dynamic_stiffness(half_space.normal(), omega);
+  std::vector<double> gaps, force(static_cast<std::size_t>(steps));
+  const auto phase = [&](int i) { return two_pi * i / steps; };
+  for (int i = 0; i < cells; ++i) {
+    const double x = (i + 0.5) * width;
+    if (!half_space.stays_closed(x)) {
+      gaps.push_back(half_space.gap().at(x));
+      continue;
+    }
+    for (int j = 0; j < steps; ++j)
+      force[static_cast<std::size_t>(j)] += 2 * width *
+                                            (half_space.static_modulus() * half_space.depth(x) +
+                                             (swing * std::polar(1.0, phase(j))).real());
+  }
+  MemorySteps memory(half_space.normal(), two_pi / omega / steps, gaps.size(), 2 * width);
+  std::vector<double> opening(force.size());
+  for (int i = 0; i < most_periods_of_cells; ++i) {
+    double largest = 0, change = 0;
+    for (int j = 1; j <= steps; ++j) {
+      memory.press(half_space.indentation() + half_space.amplitude() * std::cos(phase(j)), gaps);
+      double sum = 0;
+      for (std::size_t k = 0; k < gaps.size(); ++k) sum += memory.pressed(k);
+      double& before = opening[static_cast<std::size_t>(j % steps)];
+      change = std::max(change, std::abs(sum - before));
+      largest = std::max(largest, sum);
+      before = sum;
+    }
+    if (change > repeats * largest) continue;
+    for (std::size_t j = 0; j < force.size(); ++j) force[j] += opening[j];
+    return force;
+  }
+  throw ModelError("what cells remember takes too many periods to fade");
+}
 
 // Periods, and between them Newton's method for the body's numbers that one leads back to: a body
 // that is hardly damped rings for thousands of periods. What the cells remember is gone after one,

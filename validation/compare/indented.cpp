@@ -113,27 +113,6 @@ StateMap indenter_map(const HalfSpace& half_space, double velocity) {
   return map;
 }
 
-// The force (N) of the half-space at rest under a depth (m), the springs' sum, by another
-// quadrature than that of the cells.
-double static_force(const HalfSpace& half_space, double depth) {
-  if (!(depth > 0)) return 0;
-  struct Data {
-    const HalfSpace* half_space;
-    double depth;
-  } data{&half_space, depth};
-  gsl_function function{[](double x, void* given) {
-                          const Data& d = *static_cast<const Data*>(given);
-                          return std::max(d.depth - d.half_space->gap().at(x), 0.0);
-                        },
-                        &data};
-  const std::unique_ptr<gsl_integration_workspace, void (*)(gsl_integration_workspace*)> workspace(
-      gsl_integration_workspace_alloc(1000), gsl_integration_workspace_free);
-  double sum = 0, error = 0;
-  gsl_integration_qag(&function, 0, half_space.gap().half_width(depth), 0, quadrature, 1000,
-                      GSL_INTEG_GAUSS21, workspace.get(), &sum, &error);
-  return 2 * half_space.static_modulus() * sum;
-}
-
 Comparison indenter_velocity(const SceneReport& report, const HalfSpace& half_space,
                              const Witnesses& witnesses) {
   Comparison comparison = velocity_comparison(
@@ -259,6 +238,25 @@ std::optional<Comparison> indenter_quasi_static(const Problem& problem) {
 }
 
 }  // namespace
+
+double static_force(const HalfSpace& half_space, double depth) {
+  if (!(depth > 0)) return 0;
+  struct Data {
+    const HalfSpace* half_space;
+    double depth;
+  } data{&half_space, depth};
+  gsl_function function{[](double x, void* given) {
+                          const Data& d = *static_cast<const Data*>(given);
+                          return std::max(d.depth - d.half_space->gap().at(x), 0.0);
+                        },
+                        &data};
+  const std::unique_ptr<gsl_integration_workspace, void (*)(gsl_integration_workspace*)> workspace(
+      gsl_integration_workspace_alloc(1000), gsl_integration_workspace_free);
+  double sum = 0, error = 0;
+  gsl_integration_qag(&function, 0, half_space.gap().half_width(depth), 0, quadrature, 1000,
+                      GSL_INTEG_GAUSS21, workspace.get(), &sum, &error);
+  return 2 * half_space.static_modulus() * sum;
+}
 
 void examine_indenter(SceneReport& report, const CriticalOnset& onset, const Witnesses& witnesses) {
   const Problem& problem = report.problem;

@@ -5,8 +5,13 @@
 #include "answers/critical_onset.hpp"
 #include "compare/scene_report.hpp"
 #include "compare/witnesses.hpp"
+#include "indenter/half_space.hpp"
 
 namespace vcrit::validation {
+
+/// The force (N) of the half-space at rest under a depth (m), the springs' sum, by another
+/// quadrature than that of the cells.
+double static_force(const indenter::HalfSpace& half_space, double depth);
 
 /// Adds `indented` and its comparisons. onset: the scene's. Throws ModelError where cells have no
 /// steady state.

@@ -11,6 +11,7 @@
 #include "answers/friction.hpp"
 #include "compare/friction.hpp"
 #include "compare/held_cells.hpp"
+#include "compare/held_velocity.hpp"
 #include "compare/influences.hpp"
 #include "compare/values.hpp"
 #include "compare/velocity_comparisons.hpp"
@@ -120,6 +121,18 @@ Comparison compare_held_friction(const Problem& problem, const indenter::HalfSpa
   return comparison;
 }
 
+void compare_held_harmonics(SceneReport& report, const indenter::HalfSpace& half_space,
+                            const CriticalOnset& onset) {
+  try {
+    report.comparisons.push_back(compare_held_velocity(half_space, onset));
+  } catch (const ModelError& error) {
+    Comparison none = held_march(onset.drive_velocity);
+    none.key = "harmonics";
+    none.name = "v* by the harmonics of the normal force";
+    report.comparisons.push_back(not_run(none, error.what()));
+  }
+}
+
 /// Motions that share nothing with those of the continuum.
 void compare_held_cells(SceneReport& report, const indenter::HalfSpace& half_space, double speed) {
   const Comparison none = held_march(speed);
@@ -158,14 +171,18 @@ SceneReport report_without_formula(const Problem& problem, const std::string& wh
   report.failure = as_sentence(why);
   report.reasons = inadmissible_reasons(problem);
   report.values = value_lines(problem);
-  report.comparisons.push_back(no_formula_to_compare(why));
   try {
     const CriticalOnset onset = critical_onset(problem);
     report.effect = effect_of(problem, onset);
     report.influences = influences(problem, report.values);
     const bool finite = onset.drive_velocity > 0 && std::isfinite(onset.drive_velocity);
-    if (!report.reasons.empty() || !finite) return report;
-    compare_held_cells(report, witnesses.half_space(problem), onset.drive_velocity);
+    if (!report.reasons.empty() || !finite) {
+      report.comparisons.push_back(no_formula_to_compare(why));
+      return report;
+    }
+    const indenter::HalfSpace half_space = witnesses.half_space(problem);
+    compare_held_harmonics(report, half_space, onset);
+    compare_held_cells(report, half_space, onset.drive_velocity);
     trace_friction(report, onset.drive_velocity);
     report.comparisons.push_back(compare_rise(report));
   } catch (const ModelError& error) {
