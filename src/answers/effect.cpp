@@ -11,6 +11,8 @@
 #include "base/errors.hpp"
 #include "critical/admissibility.hpp"
 #include "indenter/friction.hpp"
+#include "normal/pressed_cells.hpp"
+#include "problem/variants.hpp"
 #include "record/fields.hpp"
 #include "rules/rulebook.hpp"
 #include "simulation/steady/normal_force.hpp"
@@ -21,7 +23,7 @@ namespace {
 
 using rules::Question;
 
-// The search for the largest amplitude begins at this share of it, where the contact is closed.
+// The search for the depth at the largest amplitude begins at this share of that at rest.
 constexpr double least_share = 1e-3;
 
 Question motion_question(const Problem& problem) {
@@ -29,33 +31,43 @@ Question motion_question(const Problem& problem) {
 }
 
 // Below an indenter u_z0 falls as the amplitude grows, since a rim that opens does not pull. At the
-// border the pressure at the centre just touches zero: between 0 and the border of a u_z0 that is
-// the largest one.
+// border the pressure at the centre just touches zero, so that du_z is a share of u_z0 that the
+// half-space alone decides: the border is where both carry the load.
 double largest_amplitude_under_load(const Problem& problem) {
-  const auto excess = [&](double amplitude) {
-    const rules::Facts facts(problem.with({{problem->amplitude.symbol, amplitude}}));
-    return static_cast<double>(facts.oscillating_force() / facts.mean_force()) - 1;
+  const auto at_amplitude = [&](const Problem& of, double amplitude) {
+    return of.with({{problem->amplitude.symbol, amplitude}});
   };
-  const rules::Facts still(problem.with({{problem->amplitude.symbol, 0.0}}));
-  const rules::Facts here(problem.with({{problem->amplitude.symbol, still.indentation()}}));
-  const auto most =
-      static_cast<double>(still.mean_force() / here.oscillating_force() * still.indentation());
-  constexpr int bits = 40;  // of the root; a u_z0 is known to some 33
+  const rules::Facts still(at_amplitude(problem, 0));
+  const auto deepest = static_cast<double>(still.indentation());
+  const Problem pressed = at_depth(problem, deepest);
+  const rules::Facts here(at_amplitude(pressed, deepest));
+  const auto share = static_cast<double>(still.mean_force() / here.oscillating_force());
+  const double load = problem.value(*problem->load);
+  const auto excess = [&](double depth) {
+    return simulation::mean_force_of_cells(at_amplitude(at_depth(problem, depth), share * depth)) /
+               load -
+           1;
+  };
+  if (!(excess(deepest) > 0)) return share * deepest;  // a flat punch has no rim
+  constexpr int bits = 46;
   std::uintmax_t steps = 100;
-  const auto least = least_share * most;
-  return boost::math::tools::toms748_solve(excess, least, most,
-                                           boost::math::tools::eps_tolerance<double>(bits), steps)
-      .first;
+  return share * boost::math::tools::toms748_solve(excess, least_share * deepest, deepest,
+                                                   boost::math::tools::eps_tolerance<double>(bits),
+                                                   steps)
+                     .first;
 }
 
 }  // namespace
 
 // The stiffness at omega is the force of an amplitude of 1 m.
 std::optional<double> largest_closed_amplitude(const Problem& problem) {
-  if (!rules::answer(Question::mean_load, problem) ||
-      !rules::answer(Question::closed_amplitude, problem))
+  const bool pressed_tip = problem->load && problem->indenter;
+  // At no amplitude, so that none is too large: what is left to say is of the scene's structure.
+  const Problem asked = pressed_tip ? problem.with({{problem->amplitude.symbol, 0.0}}) : problem;
+  if (!rules::answer(Question::mean_load, asked) ||
+      !rules::answer(Question::closed_amplitude, asked))
     return std::nullopt;
-  if (problem->load && problem->indenter) return largest_amplitude_under_load(problem);
+  if (pressed_tip) return largest_amplitude_under_load(problem);
   const rules::Facts facts(problem.with({{problem->amplitude.symbol, 1.0}}));
   const long double most = facts.mean_force() / facts.oscillating_force();
   return most > 0 ? std::optional(static_cast<double>(most)) : std::nullopt;
@@ -127,30 +139,15 @@ void require_rest(const Problem& problem) {
       "the body is in undamped resonance while it sticks, so friction at rest has no known limit");
 }
 
-// In units of v*: at this speed friction below an indenter equals its limit at rest to 1e-9.
-constexpr double nearly_at_rest = 1e-9;
-// Part of a second. If the lowest friction takes longer, v* is given without it.
-constexpr std::size_t effort_of_lowest = 40'000'000;
-
-// On a drive that gives, too, all cells stick at vanishing speed except at the instant of least
-// normal force. A body that rings meanwhile may carry more, and without a damper it rings for ever.
-void lowest_on_drive(const Problem& problem, Effect& effect) {
-  const indenter::HalfSpace half_space(problem);
-  if (half_space.holder()->rings())
+// Below an indenter, too, all cells stick at vanishing speed but for the instant of least normal
+// force. A body that rings meanwhile may carry more, and without a damper it rings for ever.
+void lowest_below_indenter(const Problem& problem, Effect& effect) {
+  if (const auto holder = indenter::HalfSpace(problem).holder(); holder && holder->rings())
     throw ModelError(
         "the body swings undamped while all cells stick, so friction at rest has no known limit");
-  const indenter::Pressed pressed = indenter::pressed(half_space);
+  const indenter::Pressed pressed = indenter::pressed(problem);
   if (!problem->load) effect.mean_normal_force = pressed.mean;
   effect.lowest = pressed.least / pressed.mean;
-}
-
-void lowest_below_indenter(const Problem& problem, Effect& effect) {
-  if (!problem->rigid()) return lowest_on_drive(problem, effect);
-  SharedEffort effort(effort_of_lowest);
-  const indenter::Friction found = indenter::friction(indenter::HalfSpace(problem).within(effort),
-                                                      nearly_at_rest * effect.drive_velocity);
-  if (!problem->load) effect.mean_normal_force = found.normal_force;
-  effect.lowest = effect.opens ? 0 : found.ratio;
 }
 
 void lowest_of_contact(const Problem& problem, Effect& effect) {

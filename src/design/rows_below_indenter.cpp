@@ -48,8 +48,8 @@ void add_frequency_rows(const DesignQuestion& question, SearchRange& range) {
 void add_velocity_rows(const DesignQuestion& question, SearchRange& range) {
   range.monotonic = true;
   const indenter::HalfSpace half_space(question.problem);
-  if (half_space.holder() && !half_space.holder()->rings()) {
-    const indenter::Pressed pressed = indenter::pressed(half_space);
+  if (!half_space.holder() || !half_space.holder()->rings()) {
+    const indenter::Pressed pressed = indenter::pressed(question.problem);
     range.at_rest = pressed.least / pressed.mean;
     if (question.friction_ratio < *range.at_rest) return;
   }

@@ -13,6 +13,7 @@
 #include "indenter/changes.hpp"
 #include "indenter/panels.hpp"
 #include "indenter/rim_friction.hpp"
+#include "normal/pressed_cells.hpp"
 #include "simulation/steady/answers.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/normal_force.hpp"
@@ -134,17 +135,12 @@ Friction friction(const HalfSpace& half_space, double velocity, double tolerance
   return friction_of(half_space, tolerance)(velocity);
 }
 
-// A punch that is closed carries least where the indentation is least, or opens.
-Pressed pressed(const HalfSpace& half_space) {
-  if (!half_space.uniform()) {
-    if (!half_space.holder())
-      throw InputError(argument("half_space"), "an indenter on a rigid drive",
-                       "one on a drive that gives, or a flat punch");
-    return rim_pressed(half_space);
-  }
-  const simulation::System whole = half_space.whole();
-  const double mean = simulation::mean_normal_force(whole);
-  return {mean, whole.opening ? 0 : std::max(0.0, mean - std::abs(whole.normal_force_amplitude))};
+// Whatever the drive: where the speed vanishes each cell sticks but for the instant at which it
+// carries least, and the body stands still.
+Pressed pressed(const Problem& problem) {
+  const double least = HalfSpace(problem).least_force();
+  return {problem->load ? problem.value(*problem->load) : simulation::mean_force_of_cells(problem),
+          least};
 }
 
 simulation::SteadyState steady_state_of(const Friction& friction) {

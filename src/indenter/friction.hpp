@@ -43,13 +43,14 @@ struct IndentedPoint {
   std::string reason;  ///< why there is none
 };
 
-/// What presses the indenter, N.
+/// What presses the indenter, N: in the mean, and the least of each cell.
 struct Pressed {
   double mean = 0, least = 0;
 };
 
-/// Of an indenter on a drive that gives, or a flat punch; throws InputError for others.
-Pressed pressed(const HalfSpace& half_space);
+/// least/mean is the limit of the friction ratio as the speed vanishes, unless the body rings
+/// meanwhile. Throws as a HalfSpace does, and ModelError where no normal force of a cell is found.
+Pressed pressed(const Problem& problem);
 
 /// One point for each velocity, in their order. What is the same at all of them is found once.
 std::vector<IndentedPoint> friction_curve(const HalfSpace& half_space,

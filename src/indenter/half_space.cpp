@@ -62,6 +62,11 @@ double HalfSpace::neglected(double depth) const {
   return never_opens(depth) ? std::max(0.0, swing_ / depth - 1) : 0;
 }
 
+double HalfSpace::static_force(double depth) const {
+  const double width = gap_.half_width(depth);
+  return depth > 0 ? 2 * normal_.equilibrium * (depth * width - gap_.area(width)) : 0;
+}
+
 simulation::System HalfSpace::whole() const {
   const double width = 2 * edge();
   simulation::System system = cell_under(indentation_);

@@ -78,6 +78,11 @@ class HalfSpace {
   double dynamic_modulus() const { return std::abs(response_); }
   /// E*(0), Pa.
   double static_modulus() const { return normal_.equilibrium; }
+  /// Of all cells at rest under this mean indentation (m), N; nothing above the surface.
+  double static_force(double depth) const;
+  /// The least that each cell carries in a period, of all of them, N: all that stay closed carry
+  /// it at the same instant, and what opens carries nothing then.
+  double least_force() const { return static_force(indentation_ - swing_); }
   /// Whether E* is the same at all frequencies.
   bool elastic() const { return normal_.branches.empty() && normal_.damper == 0; }
 

@@ -230,8 +230,8 @@ HeldCells::Steady HeldCells::steady(double velocity, double sliding, SharedEffor
   if (result.open <= nearly_repeats) return result;
   throw ModelError(
       "below the indenter no steady motion is found: its body rings, or its cells creep for too "
-      "many "
-      "periods");
+      "many periods",
+      "give a higher speed; vcrit eval gives the limit of friction at rest");
 }
 
 }  // namespace vcrit::indenter

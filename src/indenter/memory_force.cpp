@@ -94,7 +94,6 @@ MemoryForce::MemoryForce(const HalfSpace& half_space, double tolerance) : cells_
     closed_edge_ = panels.closed.back().high;
     closed_mean_ = 2 * half_space.static_modulus() *
                    (half_space.indentation() * closed_edge_ - half_space.gap().area(closed_edge_));
-    least_ = std::max(0.0, closed_mean_ - 2 * closed_edge_ * std::abs(cells_.swing()));
   }
   // As x^n with n > 1: of x it is less and less.
   const double small = 1e-8 * half_space.edge();

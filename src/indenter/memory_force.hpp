@@ -70,7 +70,6 @@ class MemoryForce {
 
   double force(double t) const { return interpolated(t, 0); }  ///< N
   double rate(double t) const { return interpolated(t, 1); }   ///< N, by omega t
-  double least() const { return least_; }                      ///< N
   bool touches(double t) const;
   /// Phases in [0, 2 pi] at which the force turns sharply.
   const std::vector<double>& kinks() const { return kinks_; }
@@ -101,7 +100,7 @@ class MemoryForce {
   double interpolated(double t, Eigen::Index which) const;
 
   MemoryCells cells_;
-  double closed_edge_ = 0, closed_mean_ = 0, least_ = 0;
+  double closed_edge_ = 0, closed_mean_ = 0;
   double last_ = 0;  ///< the phase at which the last cell lifts off, or hardly any is left
   bool rate_unbounded_ = false;
   std::vector<Opening> openings_;

@@ -60,10 +60,6 @@ double ScaledContact::force_rate(double t) const {
   return stiffness(depth(t)) * depth_rate(t);
 }
 
-double ScaledContact::least_force() const {
-  return memory_ ? memory_->least() / force_unit_ : force(pi);
-}
-
 bool ScaledContact::touches(double t) const {
   return memory_ ? memory_->touches(t) : depth(t) >= 0;
 }

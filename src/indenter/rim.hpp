@@ -33,7 +33,6 @@ class ScaledContact {
   double force_rate(double t) const;  ///< as far as it is bounded
   /// Whether F_n' is not: then only a body or a damper keeps v* finite.
   bool force_rate_unbounded() const { return memory_ && memory_->rate_unbounded(); }
-  double least_force() const;
   bool touches(double t) const;
   /// Where depth, stiffness or force turn sharply, in [0, 2 pi], increasing.
   const std::vector<double>& kinks() const { return kinks_; }

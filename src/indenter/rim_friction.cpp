@@ -83,7 +83,8 @@ class Cycle {
       next_search *= 2;
       if (go_to_clear(two_pi * i) && search()) return;
     }
-    throw ModelError("below the indenter no steady motion is found: its body rings");
+    throw ModelError("below the indenter no steady motion is found: its body rings",
+                     "give a higher speed; vcrit eval gives the limit of friction at rest");
   }
 
   double impulse() const { return impulse_; }
@@ -229,11 +230,9 @@ class Held {
 
 /// Without an oscillation.
 Friction without_oscillation(const HalfSpace& half_space) {
-  const double edge = half_space.edge();
   Friction result;
   result.ratio = 1;
-  result.normal_force = 2 * half_space.static_modulus() *
-                        (half_space.indentation() * edge - half_space.gap().area(edge));
+  result.normal_force = half_space.static_force(half_space.indentation());
   result.normal_force_error = force_rounding_error * result.normal_force;
   return result;
 }
@@ -308,15 +307,6 @@ FrictionOfSpeed rim_friction(const HalfSpace& half_space, double tolerance) {
     result.regime = motions.regime();
     return result;
   };
-}
-
-Pressed rim_pressed(const HalfSpace& half_space) {
-  if (const double force = without_oscillation(half_space).normal_force;
-      !(half_space.amplitude() > 0))
-    return {force, force};
-  const Held held(half_space, fine_force);
-  const double unit = held.contact().force_unit();
-  return {held.sliding(coarse / finer)->mean_force() * unit, held.contact().least_force() * unit};
 }
 
 simulation::Onset rim_threshold(const HalfSpace& half_space) {

@@ -19,9 +19,6 @@ using FrictionOfSpeed = std::function<Friction(double velocity)>;
 /// twice what these differ by. All throw ModelError where no steady motion is found.
 FrictionOfSpeed rim_friction(const HalfSpace& half_space, double tolerance);
 
-/// Of the normal force over a period.
-Pressed rim_pressed(const HalfSpace& half_space);
-
 /// v* = mu0 max over the touching phase of d/dt [u_z/kappa + R_b * F_n], kappa = G*/E*. Infinite
 /// where the body swings freely at a harmonic of the normal force, and where that has no bounded
 /// rate.

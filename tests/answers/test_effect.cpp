@@ -210,11 +210,61 @@ BOOST_AUTO_TEST_CASE(below_an_indenter_the_motion_says_it) {
   punch.indenter = "shape = \"flat\"\nradius = 1e-3\n";
   punch.elements = {{"E", 1e9}};
   const Effect effect = effect_of(test::scene_of(punch));
-  BOOST_TEST(std::abs(effect.lowest.value() - 0.8) < 1e-8);
+  BOOST_TEST(std::abs(effect.lowest.value() - 0.8) < 1e-15);
   // 2 a E u_z0 = 2 1e-3 1e9 1e-6
-  BOOST_TEST(relative(effect.mean_normal_force.value(), 2) < 1e-8);
+  BOOST_TEST(relative(effect.mean_normal_force.value(), 2) < 1e-15);
   BOOST_TEST(
       operating_point(effect).ends_with("The contact stays closed at its centre up to 1 µm."));
+}
+
+// Below a parabola of a Zener half-space the middle, which stays closed, carries least at one
+// instant, the rim nothing: E(0) of depth u_z0 - du_z |E|/E(0). On a rigid drive as on a spring.
+BOOST_AUTO_TEST_CASE(below_an_indenter_the_limit_at_rest_does_not_ask_for_the_drive) {
+  test::SceneText ball{.normal = "spring(E0) | (spring(E1) - damper(c1))",
+                       .poisson = 0,
+                       .indenter = "shape = \"parabola\"\nradius = 1\n",
+                       .angular_frequency = 1,
+                       .amplitude = 0.3,
+                       .indentation = {},
+                       .more = "[load]\nforce = 2\n"};
+  ball.elements = {{"E0", 1}, {"E1", 0.8}, {"c1", 0.4}};
+  const std::complex<double> lag(0, 0.5);
+  const double swing = 0.3 * std::abs(1.0 + 0.8 * lag / (1.0 + lag));
+  const Effect rigid = effect_of(test::scene_of(ball));
+  ball.network = "kd | cd";
+  ball.elements.push_back({"kd", 3});
+  ball.elements.push_back({"cd", 0.5});
+  const Effect held = effect_of(test::scene_of(ball));
+  const double depth = rigid.indentation.value() - swing;
+  const double least = 4.0 / 3 * std::pow(depth, 1.5) / 2;
+  BOOST_TEST(relative(rigid.lowest.value(), least) < 1e-14);
+  BOOST_TEST(relative(held.lowest.value(), least) < 1e-14);
+}
+
+// Whatever the amplitude is now, also one that lifts the tip off for most of a period: W/(2 a E) of
+// an elastic punch. A parabola opens all over at du_z = u_z0, where the mean of (1 + cos t)^(3/2)
+// over a period, 8 sqrt(2)/(3 pi), times 4/3 E sqrt(R) u_z0^(3/2) is W.
+BOOST_AUTO_TEST_CASE(under_a_load_the_largest_amplitude_does_not_ask_for_the_present_one) {
+  const double mean = 8 * std::numbers::sqrt2 / (3 * std::numbers::pi);
+  for (const bool flat : {true, false})
+    for (int i = 0; i < 40; ++i) {
+      const double load = std::pow(10, -6 + 0.31 * i);
+      const double expected = flat ? load / 2 : std::pow(load / (4.0 / 3 * mean), 2.0 / 3);
+      for (const double share : {1e-3, 0.9, 2.0, 100.0}) {
+        test::SceneText tip{.normal = "spring(E)",
+                            .poisson = 0,
+                            .indenter = flat ? "shape = \"flat\"\nradius = 1\n"
+                                             : "shape = \"parabola\"\nradius = 1\n",
+                            .angular_frequency = 1,
+                            .amplitude = share * expected,
+                            .indentation = {},
+                            .more = "[load]\n" + test::Toml(load).line("force")};
+        tip.elements = {{"E", 1}};
+        const auto found = largest_closed_amplitude(test::scene_of(tip));
+        BOOST_TEST_REQUIRE(found.has_value());
+        BOOST_TEST(relative(*found, expected) < 1e-9, load << " " << share << " " << flat);
+      }
+    }
 }
 
 BOOST_AUTO_TEST_CASE(a_record_has_no_words) {

@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_reached_is_explained) {
       const std::string slow = refusal({problem, Sought::velocity, 0.01, 0, {}, {}});
       BOOST_TEST(has(slow, "no velocity reaches a friction ratio of 0.01"));
       BOOST_TEST(has(slow, "it takes a larger amplitude, or a smaller load"));
-      BOOST_TEST(has(slow, held ? "as the velocity vanishes it tends to 0." : "steady states"));
+      BOOST_TEST(has(slow, "as the velocity vanishes it tends to 0."));
       BOOST_TEST(has(refusal({problem, Sought::amplitude, 0.9, 100 * critical, {}, {}, 4}),
                      "friction stays full at every admissible amplitude"));
       BOOST_TEST(has(refusal({problem, Sought::force, 0.9, 100 * critical, {}, {}, 4}),
