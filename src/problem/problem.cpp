@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <mutex>
+#include <string_view>
 
 #include "base/constants.hpp"
 #include "problem/variants.hpp"
@@ -49,7 +50,7 @@ std::string missing_name(const Resolved& parts, const Symbol& symbol) {
 }
 
 /// As scenes call it; empty for what has no other name than its symbol.
-std::string key_of(const Resolved& parts, const Quantity& quantity) {
+std::string_view key_of(const Resolved& parts, const Quantity& quantity) {
   if (&quantity == &parts.coefficient) return "coefficient";
   if (&quantity == &parts.angular_frequency) return "frequency";
   if (&quantity == &parts.amplitude) return "amplitude";
@@ -58,7 +59,7 @@ std::string key_of(const Resolved& parts, const Quantity& quantity) {
 }
 
 /// "mu0 (coefficient)": who has not read the theory does not know the symbol.
-std::string with_key(const std::string& name, const std::string& key) {
+std::string with_key(const std::string& name, std::string_view key) {
   return key.empty() || key == name ? name : fmt::format("{} ({})", name, key);
 }
 
@@ -141,16 +142,21 @@ struct Problem::Checked {
       add(quantity->symbol, quantity->value, range_of(parts, *quantity), key_of(parts, *quantity));
     for (const Amount& amount : parts.expressions)
       if (const auto value = amount_value(amount, values))
-        checked(*value, positive, text_of(amount), {parts.source->file});
+        within(positive, *value, [&] { return text_of(amount); });
   }
 
   void add(const Symbol& symbol, const std::optional<double>& value, const Range& range,
-           const std::string& key = "") {
+           std::string_view key = "") {
     if (value)
-      values[symbol] =
-          checked(*value, range, to_text(called(parts.names, symbol)), {parts.source->file});
+      values[symbol] = within(range, *value, [&] { return to_text(called(parts.names, symbol)); });
     else
       missing.push_back(with_key(missing_name(parts, symbol), key));
+  }
+
+  /// The value. A sweep makes a problem a row: the name is made for who has to hear it.
+  template <class Name>
+  double within(const Range& range, double value, Name name) const {
+    return range.holds(value) ? value : checked(value, range, name(), {parts.source->file});
   }
 
   /// Neither by an indentation, of which the scene does not even give the name, nor by a load.
