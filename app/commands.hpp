@@ -2,10 +2,13 @@
 // that prints the result on stdout and may set the exit status.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "problem/problem.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace vcrit::app {
 

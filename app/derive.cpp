@@ -1,12 +1,14 @@
 // vcrit derive: Eq. 24 derived for a scene, as text, LaTeX, Markdown, HTML, JSON or for other
 // systems; and the pages about its networks and about all named rheologies.
 #include <fmt/core.h>
+#include <CLI/CLI.hpp>
 
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "analysis/equality.hpp"
+#include "choice.hpp"
 #include "commands.hpp"
 #include "document/print.hpp"
 #include "options.hpp"

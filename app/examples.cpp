@@ -1,6 +1,7 @@
 #include "examples.hpp"
 
 #include <fmt/core.h>
+#include <CLI/CLI.hpp>
 
 #include <map>
 #include <string>

@@ -1,7 +1,9 @@
 // Examples below the help of the program and of each command.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace vcrit::app {
 

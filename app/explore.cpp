@@ -1,5 +1,6 @@
 // vcrit explore: a page in which the scene's parameters can be moved.
 #include <fmt/core.h>
+#include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <memory>

@@ -1,6 +1,7 @@
 // vcrit(1) in the man macros of roff: the frame in shell/vcrit.1, filled with commands and options.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
 
 #include "shell.hpp"
 #include "shell_texts.hpp"

@@ -2,10 +2,13 @@
 // meet.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "simulation/methods/methods.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace vcrit::app {
 

@@ -1,14 +1,16 @@
-// What several commands share: reading the scene, choices, printing an object.
+// What several commands share: reading the scene, numbers of options, printing an object.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "problem/problem.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace vcrit::app {
 
@@ -25,25 +27,6 @@ struct SceneOptions {
   Problem read(const std::function<Frequency(const Problem&)>& frequency) const;
   Settings split_settings() const;
 };
-
-/// Names and what they stand for; the first one is the default.
-template <class T>
-using Choices = std::vector<std::pair<std::string, T>>;
-
-/// An option that takes one of the names.
-template <class T>
-CLI::Option* add_choice(CLI::App& command, const std::string& option, T& target,
-                        const Choices<T>& choices, const std::string& words) {
-  std::vector<std::string> names;
-  for (const auto& choice : choices) names.push_back(choice.first);
-  const auto choose = [&target, choices](const std::string& name) {
-    for (const auto& [choice, value] : choices)
-      if (name == choice) target = value;
-  };
-  return command.add_option_function<std::string>(option, choose, words)
-      ->check(CLI::IsMember(names))
-      ->default_str(names.front());
-}
 
 /// "0.5" or "50%", of that option. Throws InputError, which says what was `expected`.
 double ratio_of(const std::string& text, const char* option, const char* expected);

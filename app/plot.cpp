@@ -2,6 +2,7 @@
 // the terminal or in a file.
 #include <fmt/core.h>
 #include <unistd.h>
+#include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <memory>
@@ -10,6 +11,7 @@
 #include "answers/realised_friction.hpp"
 #include "base/files.hpp"
 #include "base/units.hpp"
+#include "choice.hpp"
 #include "commands.hpp"
 #include "figures/gnuplot.hpp"
 #include "figures/screen.hpp"

@@ -1,10 +1,13 @@
 // A program of commands: what its words do, and what each kind of error means for the exit status.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <stdexcept>
 #include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace vcrit::app {
 

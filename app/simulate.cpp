@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "answers/under_load.hpp"
 #include "answers/realised_friction.hpp"
+#include "answers/under_load.hpp"
 #include "commands.hpp"
 #include "friction_words.hpp"
 #include "method_choice.hpp"
@@ -177,9 +177,9 @@ void print_simulate_text(const SimulationAnswer& answer, const Problem& problem,
                   simulation::mean_normal_force(system), steady.regime},
                  digits);
   print_load(answer.load, digits);
-  print_events(steady,
-               system.opening && problem->mount ? "vibrator's deepest place" : "deepest indentation",
-               digits);
+  print_events(
+      steady, system.opening && problem->mount ? "vibrator's deepest place" : "deepest indentation",
+      digits);
   if (answer.realisation) print_realisation(*answer.realisation, digits);
   if (answer.energy) print_power(*answer.energy, system.omega, digits);
   if (answer.separation) print_starts(answer.separation->other_start, digits);

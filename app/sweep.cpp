@@ -2,6 +2,7 @@
 // them takes more than half of the time in which any other command starts and answers.
 #include <fmt/format.h>
 #include <unistd.h>
+#include <CLI/CLI.hpp>
 
 #include <cerrno>
 #include <cstring>

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
 
 #include <memory>
 #include <utility>
@@ -27,7 +28,8 @@ void add_sweep(CLI::App& program, std::function<void(const SweepOptions&)> run) 
   CLI::Option* velocity = command->add_option("--velocity", options->velocity,
                                               "one velocity of the drive for all rows");
   command
-      ->add_option("--velocity-ratio", options->velocity_ratio, "drive speed as a multiple of v*: 0.5 or 50%")
+      ->add_option("--velocity-ratio", options->velocity_ratio,
+                   "drive speed as a multiple of v*: 0.5 or 50%")
       ->type_name("RATIO")
       ->excludes(velocity);
   command->add_option("--out", options->out,

@@ -2,13 +2,16 @@
 // that sweeps, and to that program.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "maps/stream.hpp"
 #include "options.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace vcrit::app {
 
