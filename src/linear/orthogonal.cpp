@@ -56,7 +56,7 @@ template <class Number>
 GeneralEigen<Number> general_eigen(const Matrix<Number>& a) {
   const Eigen::EigenSolver<Matrix<Number>> found(a);
   if (found.info() != Eigen::Success) return {{}, {}, false};
-  return {found.eigenvalues(), found.eigenvectors(), true};
+  return {found.eigenvalues(), found.pseudoEigenvectors(), true};
 }
 
 template <class Number>

@@ -53,11 +53,12 @@ struct SymmetricEigen {
 template <class Number>
 SymmetricEigen<Number> symmetric_eigen(const Matrix<Number>& a);
 
-/// Of any square matrix: eigenvalues, pairs side by side, and vectors of length 1 as columns.
+/// Of any square matrix: eigenvalues, pairs side by side, and a column for each: of a real one its
+/// vector, of a pair the real part and then the imaginary one.
 template <class Number>
 struct GeneralEigen {
   Vector<std::complex<Number>> values;
-  Matrix<std::complex<Number>> vectors;
+  Matrix<Number> shapes;
   bool converged;
 };
 template <class Number>

@@ -55,7 +55,6 @@ class Decomposition {
       : a_(a), size_(a.norm()), eigen_(linear::general_eigen(a)) {
     if (!eigen_.converged)
       throw ModelError("the free motions of the drive with its masses do not converge");
-    shapes_ = eigen_.pseudoEigenvectors();
     for (Eigen::Index i = 0; i < a.rows(); ++i) {
       const std::complex<WideReal> s = eigen_.values[i];
       if (s.imag() == 0)
@@ -82,7 +81,7 @@ class Decomposition {
       result.from.col(column++) = plane.a;
       result.from.col(column++) = plane.b;
     }
-    result.to = result.from.partialPivLu().inverse();
+    result.to = linear::Lu<WideReal>(result.from).inverse();
     result.amplification =
         static_cast<double>((result.from.cwiseAbs() * result.to.cwiseAbs()).maxCoeff());
     return result;
@@ -98,15 +97,16 @@ class Decomposition {
   WideReal decaying(WideReal rate) const { return rate > no_rate * size_ ? rate : 0; }
 
   void add_single(Eigen::Index i) {
-    const WideColumn shape = shapes_.col(i);
-    singles_.emplace_back(decaying(-eigen_.eigenvalues()[i].real()), shape / shape.norm());
+    const WideColumn shape = eigen_.shapes.col(i);
+    singles_.emplace_back(decaying(-eigen_.values[i].real()), shape / shape.norm());
   }
 
   void add_pair_of(Eigen::Index i) {
     const std::complex<WideReal> s = eigen_.values[i];
     if (s.imag() < close_modes * std::abs(s) && add_plane(-s.real(), -s.imag() * s.imag())) return;
-    const WideReal norm = shapes_.middleCols(i, 2).norm();
-    const WideColumn real = shapes_.col(i) / norm, imaginary = shapes_.col(i + 1) / norm;
+    const WideReal norm = eigen_.shapes.middleCols(i, 2).norm();
+    const WideColumn real = eigen_.shapes.col(i) / norm,
+                     imaginary = eigen_.shapes.col(i + 1) / norm;
     planes_.push_back({decaying(-s.real()), -s.imag() * s.imag(), imaginary / s.imag(), real});
   }
 
@@ -162,8 +162,7 @@ class Decomposition {
 
   WideMatrix a_;
   WideReal size_;
-  Eigen::EigenSolver<WideMatrix> eigen_;
-  WideMatrix shapes_;  ///< a column a real mode; of a pair its real part, then its imaginary one
+  linear::GeneralEigen<WideReal> eigen_;
   std::vector<Eigen::Index> real_;
   std::vector<std::pair<WideReal, WideColumn>> singles_;
   std::vector<Plane> planes_;
@@ -248,11 +247,10 @@ namespace {
 // (s - A)^-1 e_1 in numbers that hold s.
 template <class Number>
 List<std::complex<double>> response_in(const Dense<long double>& a, Number s) {
-  using NumberMatrix = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
-  NumberMatrix shifted = -wide_matrix(a).cast<Number>();
+  linear::Matrix<Number> shifted = -wide_matrix(a).cast<Number>();
   shifted.diagonal().array() += s;
-  const Eigen::Matrix<Number, Eigen::Dynamic, 1> found =
-      shifted.fullPivLu().solve(NumberMatrix::Identity(shifted.rows(), 1));
+  const linear::Vector<Number> force = linear::Vector<Number>::Unit(shifted.rows(), 0),
+                               found = linear::solve_fully_pivoted(shifted, force);
   List<std::complex<double>> result;
   for (const std::complex<WideReal> each : found)
     result.emplace_back(static_cast<double>(each.real()), static_cast<double>(each.imag()));

@@ -115,6 +115,9 @@ InputError syntax_error(const std::string& text, const Place& place,
     return {place, "a letter that is not UTF-8", "a scene in TOML", "save the file as UTF-8"};
   if (place.file.ends_with(".csv"))
     return {place, "a table", "a scene in TOML", "vcrit fit makes a scene of measured stiffness"};
+  for (std::size_t i = 0; i < std::min(line.find_first_of("=#"), line.size()); ++i)
+    if (const auto name = complaint_beyond_ascii(line, i, {place.file, place.line, 1}))
+      return *name;
   return {place, fmt::format("no TOML ({})", description), "a scene in TOML"};
 }
 

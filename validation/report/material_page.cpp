@@ -6,6 +6,7 @@
 
 #include "analysis/retardation.hpp"
 #include "analysis/rheology.hpp"
+#include "analysis/sensitivities.hpp"
 #include "base/rounded.hpp"
 #include "compare/formulas.hpp"
 #include "derivation/derivation.hpp"
