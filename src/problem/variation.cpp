@@ -17,7 +17,7 @@ namespace {
 bool fits(const Variation::Target& target, double value) {
   if (target.is_left_out) return false;
   if (target.is_poisson) return value > -1 && value <= 0.5;
-  return value > 0 && std::isfinite(value);
+  return value > 0 && std::isfinite(target.factor * value);
 }
 
 }  // namespace
@@ -58,17 +58,25 @@ Variation::Target Variation::target(const std::string& name) const {
   return {symbol, 1, false, true};
 }
 
-Problem Variation::at(std::span<const double> values) const {
+bool Variation::fit(std::span<const double> values) const {
   if (values.size() != targets_.size())
     throw InputError(argument("values"), fmt::format("{} values", values.size()),
                      fmt::format("{}, one for each name", targets_.size()));
-  Values changed;
-  bool fit = true;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    fit = fit && fits(targets_[i], values[i]);
-    changed[targets_[i].factor == 1 ? targets_[i].symbol : frequency_symbol] = values[i];
+  return std::ranges::equal(targets_, values, fits);
+}
+
+void Variation::refuse(std::span<const double> values) const {
+  // An expression of several numbers may leave the doubles.
+  if (!fit(values) || !problem_->expressions.empty()) at(values);
+}
+
+Problem Variation::at(std::span<const double> values) const {
+  if (fit(values)) {
+    Values changed;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      changed[targets_[i].factor == 1 ? targets_[i].symbol : frequency_symbol] = values[i];
+    return problem_.with(changed);
   }
-  if (fit) return problem_.with(changed);
   Settings settings = settings_;
   for (std::size_t i = 0; i < values.size(); ++i)
     settings.emplace_back(names_[i], to_text(values[i]));

@@ -19,6 +19,8 @@ class Variation {
   /// The problem with one value (SI) for each name. Throws InputError as reading with these
   /// settings does. May be called from several threads at once.
   Problem at(std::span<const double> values) const;
+  /// Throws what at() throws, and makes no problem of values that any scene may have.
+  void refuse(std::span<const double> values) const;
 
   /// What a name stands for: a number of the problem times a factor.
   struct Target {
@@ -31,6 +33,7 @@ class Variation {
 
  private:
   Target target(const std::string& name) const;
+  bool fit(std::span<const double> values) const;
 
   Problem problem_;
   std::vector<std::string> names_;

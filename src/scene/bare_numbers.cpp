@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "base/constants.hpp"
@@ -27,7 +28,7 @@ struct Usual {
 // sound that a transducer makes, but the number of some kilohertz is. Slower or larger machines
 // exist: with its unit the number is not asked about.
 constexpr double most_length = 1e-3, least_frequency = 100, most_radius = 1;
-constexpr double no_limit = 1e300;
+constexpr double no_limit = std::numeric_limits<double>::infinity();
 constexpr std::array<Usual, 5> usual_numbers{
     {{"amplitude", 0, most_length, "m", "metres", "um"},
      {"indentation", 0, most_length, "m", "metres", "um"},
@@ -54,7 +55,8 @@ std::string nearer_unit(double set, const std::string& text, Dimension dimension
   const std::string unit = unit_of(text);
   if (unit.empty() || !(set > 0)) return {};
   const double own = parse_quantity(text, dimension, {});
-  const double meant = parse_quantity(fmt::format("{} {}", to_text(set), unit), dimension, {});
+  // May be infinite, which is far from all.
+  const double meant = set * parse_quantity("1 " + unit, dimension, {});
   if (!(own > 0 && meant > 0)) return {};
   const bool nearer = std::abs(std::log(meant / own)) < std::abs(std::log(set / own));
   return nearer ? unit : std::string();

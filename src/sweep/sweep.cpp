@@ -127,7 +127,7 @@ double found_indentation(const Problem& problem) {
 void refuse_axis_values(const Sweep& sweep, const Grid& grid) {
   for (const std::size_t a : parameters_of(grid)) {
     const Variation varied(sweep.problem, {grid.axes()[a].name});
-    for (const double value : grid.axes()[a].values) varied.at({&value, 1});
+    for (const double value : grid.axes()[a].values) varied.refuse({&value, 1});
   }
 }
 

@@ -54,8 +54,10 @@ BOOST_AUTO_TEST_CASE(a_name_takes_the_place_of_its_setting) {
 }
 
 std::string refused(const std::vector<std::string>& names, const std::vector<double>& values) {
-  return test::refusal(
-      [&] { Variation(read_problem(VCRIT_SCENES "/zener.toml"), names).at(values); });
+  const auto varied = [&] { return Variation(read_problem(VCRIT_SCENES "/zener.toml"), names); };
+  const std::string words = test::refusal([&] { varied().at(values); });
+  BOOST_TEST(test::refusal([&] { varied().refuse(values); }) == words);
+  return words;
 }
 
 BOOST_AUTO_TEST_CASE(what_reading_refuses_is_refused) {
@@ -67,6 +69,24 @@ BOOST_AUTO_TEST_CASE(what_reading_refuses_is_refused) {
   BOOST_TEST(refused({"poisson"}, {0.6}).find("up to 0.5") != std::string::npos);
   BOOST_TEST(refused({"k0"}, {-1}).find("a finite value of at least 0") != std::string::npos);
   BOOST_TEST(refused({"k0"}, {std::nan("")}).find("set k0: found \"nan\"") == 0U);
+  // 2 pi f is what has to be finite; the unit of the scene, kHz, is not asked of it.
+  BOOST_TEST(refused({"frequency"}, {1e308}).find("omega = inf; expected a finite value above 0") !=
+             std::string::npos);
+}
+
+// Each number may be right, and what a scene makes of both too large.
+BOOST_AUTO_TEST_CASE(what_an_expression_makes_of_a_value_is_refused) {
+  const Variation varied(
+      parse_problem("[contact]\nnormal = \"k0 | k1\"\npoisson = 0.3\n[oscillation]\nfrequency = 1\n"
+                    "amplitude = 1e-9\nindentation = 1\n[friction]\ncoefficient = 0.3\n"
+                    "[elements]\nk0 = 1e200\nk1 = \"3*k0\"\n",
+                    "s.toml"),
+      {"k0"});
+  varied.refuse(std::vector{1e100});
+  const std::vector too_large{1e308};
+  const std::string words = test::refusal([&] { varied.at(too_large); });
+  BOOST_TEST(words.find("k1 = 3*k0 = inf") != std::string::npos, words);
+  BOOST_TEST(test::refusal([&] { varied.refuse(too_large); }) == words);
 }
 
 }  // namespace
