@@ -81,6 +81,8 @@ template Matrix<long double> Lu<long double>::inverse() const;
 template Lu<Complex>::Lu(const Matrix<Complex>&);
 template Vector<Complex> Lu<Complex>::solve(const Vector<Complex>&) const;
 template Matrix<Complex> Lu<Complex>::inverse() const;
+template Lu<WideComplex>::Lu(const Matrix<WideComplex>&);
+template Vector<WideComplex> Lu<WideComplex>::solve(const Vector<WideComplex>&) const;
 template Vector<long double> solve_fully_pivoted(const Matrix<long double>&,
                                                  const Vector<long double>&);
 template Vector<WideComplex> solve_fully_pivoted(const Matrix<WideComplex>&,

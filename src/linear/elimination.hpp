@@ -10,7 +10,7 @@
 namespace vcrit::linear {
 
 /// P a = L U of a square a, with pivots of a column. Of a singular a it solves to numbers that are
-/// not finite, or to none that mean anything.
+/// not finite, as a structure in resonance moves, or to none that mean anything.
 template <class Number>
 class Lu {
  public:

@@ -271,7 +271,7 @@ class Names(Hostile):
     def test_of_networks_and_ratios(self):
         for name in [*self.WRONG, *self.TORN]:
             with self.subTest(name):
-                self.refuse(scene(networks=f'"{name}" = "k0"'), "a name that")
+                self.refuse(scene(networks=f'"{name}" = "k0"'), "a name")
                 if name in self.WRONG:
                     self.refuse(scene().replace("poisson = 0.25", f'poisson = "{name}"'), "name")
 

@@ -84,7 +84,7 @@ class Points {
       k(b, a) -= stiffness;
     }
     const linear::Vector<LongComplex> force = linear::Vector<LongComplex>::Unit(count_, point);
-    return linear::solve_fully_pivoted(k, force)(point);
+    return linear::Lu<LongComplex>(k).solve(force)(point);
   }
 
  private:
