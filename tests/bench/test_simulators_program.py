@@ -97,7 +97,7 @@ class Masses(unittest.TestCase):
         result = run("--repeat", "0.001", command="masses")
         self.assertEqual(result.returncode, 0, result.stderr)
         rows = re.findall(r"^[0-9.]+ omega (.*)$", result.stdout, re.MULTILINE)
-        self.assertEqual(len(rows), 8, "a curve and a state at four frequencies")
+        self.assertEqual(len(rows), 12, "a curve, a state by amplitude and one by drive, at four frequencies")
         for row in rows:
             times = [float(word) for word in re.findall(r"([0-9.e+]+) us", row)]
             ratios = [float(word) for word in row.split("us")[-1].split()]
