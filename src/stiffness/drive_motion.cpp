@@ -15,8 +15,8 @@ namespace vcrit {
 namespace {
 
 using MotionReal = long double;
-using MotionMatrix = Eigen::Matrix<MotionReal, Eigen::Dynamic, Eigen::Dynamic>;
-using MotionColumn = Eigen::Matrix<MotionReal, Eigen::Dynamic, 1>;
+using MotionMatrix = linear::Matrix<MotionReal>;
+using MotionColumn = linear::Vector<MotionReal>;
 
 // What is left of a mass's own stiffness by less than this share is none: rounding of the sums that
 // make it.

@@ -28,8 +28,8 @@ namespace vcrit {
 namespace {
 
 using StructureReal = long double;
-using DenseStructure = Eigen::Matrix<StructureReal, Eigen::Dynamic, Eigen::Dynamic>;
-using StructureColumn = Eigen::Matrix<StructureReal, Eigen::Dynamic, 1>;
+using DenseStructure = linear::Matrix<StructureReal>;
+using StructureColumn = linear::Vector<StructureReal>;
 
 constexpr std::size_t body_node = 0, far_node = 1;
 

@@ -11,8 +11,8 @@ namespace vcrit::simulation::methods {
 namespace {
 
 using Eigen::Index;
-using Wide = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
-using WideVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+using Wide = linear::Matrix<long double>;
+using WideVector = linear::Vector<long double>;
 
 Wide matrix_of(const Dense<long double>& numbers) {
   return Wide::NullaryExpr(static_cast<Index>(numbers.rows()),
