@@ -1,5 +1,6 @@
 #include "method_choice.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
