@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "streams.hpp"
 
@@ -15,6 +14,7 @@
 #include "base/trimmed.hpp"
 #include "base/unit_advice.hpp"
 #include "problem/variants.hpp"
+#include "record/json_text.hpp"
 #include "scene/settings.hpp"
 
 namespace vcrit::app {
@@ -79,8 +79,7 @@ void print_row(const std::string& heading, const std::string& text) {
 }
 
 void print(const nlohmann::ordered_json& object) {
-  // Names of files may be no UTF-8.
-  fmt::print("{}\n", object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  fmt::print("{}\n", record::json_text(object, 2));
 }
 
 }  // namespace vcrit::app

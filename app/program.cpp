@@ -18,6 +18,7 @@
 #include "base/errors.hpp"
 #include "base/plain_text.hpp"
 #include "record/fields.hpp"
+#include "record/json_text.hpp"
 #include "streams.hpp"
 #include "usage.hpp"
 
@@ -83,7 +84,7 @@ int complain(Failure failure, bool json) {
     return failure.status;
   }
   failure.warnings = kept_warnings();
-  tell_line(record::json_of(failure).dump(-1, ' ', true, record::Json::error_handler_t::replace));
+  tell_line(record::json_text_in_ascii(record::json_of(failure)));
   return failure.status;
 }
 

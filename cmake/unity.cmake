@@ -11,6 +11,12 @@ endif()
 # one file they take longer, so the preset `dev` goes without; names are kept apart by tests/project/test_names.py.
 option(VCRIT_UNITY "Compile many files in one unit: faster from scratch, slower for one changed file" OFF)
 
+# That a format suits its arguments is checked while compiling, by code that the compiler interprets: a twentieth of its
+# time. `dev` checks it; here the library only does so when it runs, as it does anyway.
+if(VCRIT_UNITY)
+  add_compile_definitions(FMT_CONSTEVAL=)
+endif()
+
 # vcrit_together(TARGET UNITS): in so many units, in the order of the sources. Call it when the target has them all.
 function(vcrit_together target units)
   if(VCRIT_UNITY)

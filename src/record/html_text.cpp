@@ -2,17 +2,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include "record/json_text.hpp"
+
 namespace vcrit::record {
 
 namespace {
 
-using nlohmann::ordered_json;
-
 /// The JSON library already knows how to replace what is not UTF-8.
 std::string valid_utf8(std::string_view text) {
-  const std::string json =
-      ordered_json(std::string(text)).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-  return ordered_json::parse(json).get<std::string>();
+  const nlohmann::ordered_json json = std::string(text);
+  return read_json(json_text(json)).get<std::string>();
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "base/errors.hpp"
 #include "base/trimmed.hpp"
+#include "record/json_text.hpp"
 
 namespace vcrit::record {
 
@@ -81,7 +82,7 @@ double number_in(const Json& value, const std::string& tag) {
 }
 
 std::string plain_number(const Json& value) {
-  return value.is_number_float() ? fmt::format("{}", value.get<double>()) : value.dump();
+  return value.is_number_float() ? fmt::format("{}", value.get<double>()) : json_text(value);
 }
 
 }  // namespace

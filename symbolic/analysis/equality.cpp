@@ -16,6 +16,7 @@
 #include "network/law.hpp"
 #include "problem/variants.hpp"
 #include "record/fields.hpp"
+#include "record/json_text.hpp"
 #include "rules/rulebook.hpp"
 
 namespace vcrit::record {
@@ -263,7 +264,7 @@ std::string text_of(const Equality& comparison) {
 }
 
 std::string json_of(const Equality& comparison) {
-  return record::json_of(comparison).dump(2) + "\n";
+  return record::json_text(record::json_of(comparison), 2) + "\n";
 }
 
 }  // namespace vcrit::symbolic

@@ -4,6 +4,7 @@
 #include "formula/names.hpp"
 #include "formula/text.hpp"
 #include "record/fields.hpp"
+#include "record/json_text.hpp"
 
 // A formula or an equation is its text and its LaTeX.
 namespace vcrit::record {
@@ -206,7 +207,7 @@ void fields(Fields& f, const DerivedDocument& document) {
 namespace vcrit::symbolic {
 
 std::string json_document(const Problem& problem, const Findings& findings) {
-  return record::json_of(record::DerivedDocument{problem, findings}).dump(2) + "\n";
+  return record::json_text(record::json_of(record::DerivedDocument{problem, findings}), 2) + "\n";
 }
 
 }  // namespace vcrit::symbolic

@@ -2,6 +2,7 @@
 
 #include "figures/figure_json.hpp"
 #include "figures/svg.hpp"
+#include "record/json_text.hpp"
 #include "report/plots.hpp"
 
 namespace vcrit::validation {
@@ -25,7 +26,7 @@ std::string picture_json(const Problem& problem, const ScenePicture& picture) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const figures::Figure& figure : pictured(problem, picture))
     all.push_back(figures::figure_json(figure));
-  return all.dump();
+  return record::json_text(all);
 }
 
 }  // namespace vcrit::validation

@@ -7,6 +7,7 @@
 #include "compare/velocity_comparisons.hpp"
 #include "figures/figure_json.hpp"
 #include "figures/svg.hpp"
+#include "record/json_text.hpp"
 #include "report/claims.hpp"
 #include "report/html.hpp"
 #include "report/records.hpp"
@@ -153,7 +154,7 @@ void add_verdict(const std::vector<Comparison>& comparisons, record::Json& page)
 }
 
 std::string text_of(const record::Json& report) {
-  return report.dump(1, ' ', false, record::Json::error_handler_t::replace) + "\n";
+  return record::json_text(report, 1) + "\n";
 }
 
 }  // namespace vcrit::validation::report

@@ -1,14 +1,12 @@
 #include "report/html.hpp"
 
-#include <nlohmann/json.hpp>
+#include "record/json_text.hpp"
 
 namespace vcrit::validation::report {
 
-using nlohmann::ordered_json;
-
-std::string json_for_page(const ordered_json& value) {
+std::string json_for_page(const nlohmann::ordered_json& value) {
   std::string result;
-  for (const char c : value.dump(-1, ' ', false, ordered_json::error_handler_t::replace)) {
+  for (const char c : record::json_text(value)) {
     if (c == '<')
       result += "\\u003c";
     else

@@ -9,6 +9,7 @@
 #include "compare/without_formula.hpp"
 #include "figures/gnuplot.hpp"
 #include "paper/paper.hpp"
+#include "record/json_text.hpp"
 #include "report/figure_files.hpp"
 #include "report/index_page.hpp"
 #include "report/paper_page.hpp"
@@ -46,7 +47,7 @@ std::string handed_over(const SceneContents& contents, const Machine& machine,
   if (!request.figures.empty() && report.failure.empty())
     for (const figures::Figure& figure : scene_figures(contents))
       all["figures"][figure.name] = gnuplot(figure);
-  return all.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  return record::json_text(all);
 }
 
 // A scene whose comparisons came to no end: its line is red, and the others are finished.
@@ -111,7 +112,7 @@ std::vector<ordered_json> work_on(const std::vector<Problem>& problems, const Re
   std::vector<ordered_json> all;
   for (const std::string& answer :
        in_processes(request.files, std::thread::hardware_concurrency(), work, watch, in_place))
-    all.push_back(ordered_json::parse(answer));
+    all.push_back(record::read_json(answer));
   return all;
 }
 
