@@ -153,8 +153,6 @@ void add_verdict(const std::vector<Comparison>& comparisons, record::Json& page)
                      {"tightest", tightest_words(comparisons)}};
 }
 
-std::string text_of(const record::Json& report) {
-  return record::json_text(report, 1) + "\n";
-}
+std::string text_of(const record::Json& report) { return record::json_text(report, 1) + "\n"; }
 
 }  // namespace vcrit::validation::report
