@@ -3,14 +3,17 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <string>
 
 #include "base/errors.hpp"
 
 namespace vcrit {
 
-void check_number(bool holds, const std::string& member, double value, const char* expected) {
+void check_number(bool holds, std::string_view member, double value, const char* expected,
+                  const char* part) {
   if (!holds || !std::isfinite(value))
-    throw InputError(argument(member), fmt::format("{}", value), expected);
+    throw InputError(argument(fmt::format("{}{}", member, part)), fmt::format("{}", value),
+                     expected);
 }
 
 namespace {
@@ -20,19 +23,20 @@ constexpr const char* at_least_zero = "a finite number of at least 0";
 
 }  // namespace
 
-void check_relaxation(const Relaxation& form, const std::string& member) {
-  check_number(form.equilibrium >= 0, member + ".equilibrium", form.equilibrium, at_least_zero);
-  check_number(form.damper >= 0, member + ".damper", form.damper, at_least_zero);
+void check_relaxation(const Relaxation& form, std::string_view member) {
+  check_number(form.equilibrium >= 0, member, form.equilibrium, at_least_zero, ".equilibrium");
+  check_number(form.damper >= 0, member, form.damper, at_least_zero, ".damper");
   double before = 0;
   for (const MaxwellBranch& branch : form.branches) {
-    check_number(branch.stiffness >= 0, member + ".branches: stiffness", branch.stiffness,
-                 at_least_zero);
-    check_number(branch.time > before, member + ".branches: time", branch.time,
-                 "finite times above 0, each longer than the one before");
+    check_number(branch.stiffness >= 0, member, branch.stiffness, at_least_zero,
+                 ".branches: stiffness");
+    check_number(branch.time > before, member, branch.time,
+                 "finite times above 0, each longer than the one before", ".branches: time");
     before = branch.time;
   }
   if (form.equilibrium == 0 && form.damper == 0 && form.branches.empty())
-    throw InputError(argument(member), "a network of nothing", "a spring, a damper or a branch");
+    throw InputError(argument(std::string(member)), "a network of nothing",
+                     "a spring, a damper or a branch");
 }
 
 void check_weights(std::size_t poles, std::size_t weights) {

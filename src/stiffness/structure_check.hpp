@@ -2,17 +2,19 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
+#include <string_view>
 
 #include "stiffness/drive_structure.hpp"
 
 namespace vcrit {
 
-/// Throws InputError with the member's name unless `holds` and the value is finite.
-void check_number(bool holds, const std::string& member, double value, const char* expected);
+/// Throws InputError with the member's name, `member` and `part` of it, unless `holds` and the
+/// value is finite.
+void check_number(bool holds, std::string_view member, double value, const char* expected,
+                  const char* part = "");
 
 /// Throws InputError for numbers below 0, times that do not increase, and a network of nothing.
-void check_relaxation(const Relaxation& form, const std::string& member);
+void check_relaxation(const Relaxation& form, std::string_view member);
 
 /// Throws InputError unless there is one weight for each pole.
 void check_weights(std::size_t poles, std::size_t weights);

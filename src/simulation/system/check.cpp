@@ -16,11 +16,11 @@ constexpr const char* positive_number = "a finite number above 0";
 void check_normal_force(const System& system) {
   const double mean = system.mean_normal_force, swing = std::abs(system.normal_force_amplitude);
   check_number(mean > 0, "mean_normal_force", mean, positive_number);
+  if (swing <= (1 + epsilon) * mean) return;
   const auto [swing_words, mean_words] = rounded_apart(swing, mean, "N");
-  if (!(swing <= (1 + epsilon) * mean))
-    throw InputError(argument("normal_force_amplitude"),
-                     swing_words + " about a mean of " + mean_words, "an amplitude up to the mean",
-                     "of a contact that opens give opening in place of both");
+  throw InputError(argument("normal_force_amplitude"),
+                   swing_words + " about a mean of " + mean_words, "an amplitude up to the mean",
+                   "of a contact that opens give opening in place of both");
 }
 
 void check_opening(const NormalMotion& opening) {
