@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <boost/container/small_vector.hpp>
 #include <mutex>
 #include <string_view>
 
 #include "base/constants.hpp"
-#include "problem/variants.hpp"
 #include "scene/members.hpp"
 #include "scene/range.hpp"
 #include "scene/scene.hpp"
@@ -21,19 +21,19 @@ bool shares_mass(const Givens& parts) {
   return parts.mass && parts.mount_mass && parts.mass->symbol == parts.mount_mass->symbol;
 }
 
-template <class Result, class AnyParts>
-std::vector<Result*> quantities_of(AnyParts& parts) {
-  std::vector<Result*> all;
+/// use(quantity) for each that has a name of its own.
+template <class AnyParts, class Use>
+void for_each_quantity(AnyParts& parts, const Use& use) {
   auto* isotropic = std::get_if<Isotropic>(&parts.tangential);
-  if (isotropic != nullptr && !isotropic->quantity.symbol.name.empty())
-    all.push_back(&isotropic->quantity);
-  all.insert(all.end(), {&parts.coefficient, &parts.angular_frequency, &parts.amplitude,
-                         parts.load ? &*parts.load : &parts.indentation});
-  if (parts.mass) all.push_back(&*parts.mass);
-  if (parts.mount_mass && !shares_mass(parts)) all.push_back(&*parts.mount_mass);
+  if (isotropic != nullptr && !isotropic->quantity.symbol.name.empty()) use(isotropic->quantity);
+  use(parts.coefficient);
+  use(parts.angular_frequency);
+  use(parts.amplitude);
+  use(parts.load ? *parts.load : parts.indentation);
+  if (parts.mass) use(*parts.mass);
+  if (parts.mount_mass && !shares_mass(parts)) use(*parts.mount_mass);
   if (parts.indenter)
-    for (Result& size : parts.indenter->sizes) all.push_back(&size);
-  return all;
+    for (auto& size : parts.indenter->sizes) use(size);
 }
 
 Symbol called(const std::map<std::string, std::string>& names, const Symbol& symbol) {
@@ -101,7 +101,7 @@ std::vector<Amount> expressions_of(const Scene& scene) {
 }
 
 // What follows omega by a table has its numbers there; outside the table it has none.
-Resolved looked_up(Resolved parts) {
+void follow_tables(Resolved& parts) {
   const std::optional<double>& omega = parts.angular_frequency.value;
   for (const MeasuredStiffness& measured : parts.measured) {
     const auto numbers = omega ? numbers_at(measured, *omega) : std::nullopt;
@@ -112,7 +112,6 @@ Resolved looked_up(Resolved parts) {
         value = numbers ? std::optional(numbers->loss_factor) : std::nullopt;
     }
   }
-  return parts;
 }
 
 Resolved parts_of(const Scene& scene) {
@@ -130,7 +129,26 @@ Resolved parts_of(const Scene& scene) {
 
 /// The parts, and their values checked.
 struct Problem::Checked {
-  explicit Checked(Resolved resolved) : parts(std::move(resolved)) {
+  explicit Checked(Resolved resolved) : parts(std::move(resolved)) { check(); }
+
+  /// With these values in place of others. A sweep makes a problem a row: parts are copied once,
+  /// and what stays as it is is not checked again.
+  Checked(const Checked& other, const Values& changed) : parts(other.parts), values(other.values) {
+    Changes changes;
+    put(changed, changes);
+    if (!parts.measured.empty() || !other.missing.empty()) {
+      check();
+      return;
+    }
+    for (const auto& [symbol, value, range] : changes)
+      values.at(*symbol) = within(
+          *range, value, [&, named = symbol] { return to_text(called(parts.names, *named)); });
+    check_expressions();
+  }
+
+  void check() {
+    follow_tables(parts);
+    values.clear();
     // Reading leaves elements of value 0 out of the networks.
     for (const auto& [symbol, value] : parts.elements)
       if (parts.of_table(symbol)) {
@@ -138,11 +156,62 @@ struct Problem::Checked {
       } else {
         add(symbol, value, positive);
       }
-    for (const Quantity* quantity : quantities_of<const Quantity>(parts))
-      add(quantity->symbol, quantity->value, range_of(parts, *quantity), key_of(parts, *quantity));
+    for_each_quantity(std::as_const(parts), [&](const Quantity& quantity) {
+      add(quantity.symbol, quantity.value, range_of(parts, quantity), key_of(parts, quantity));
+    });
+    check_expressions();
+  }
+
+  void check_expressions() const {
     for (const Amount& amount : parts.expressions)
       if (const auto value = amount_value(amount, values))
         within(positive, *value, [&] { return text_of(amount); });
+  }
+
+  struct Change {
+    const Symbol* symbol;
+    double value;
+    const Range* range;
+  };
+  using Changes = boost::container::small_vector<Change, 4>;
+
+  /// Into the parts.
+  void put(const Values& changed, Changes& changes) {
+    const auto frequency = changed.find(frequency_symbol);
+    std::size_t found = frequency == changed.end() ? 0 : 1;
+    const auto given = [&](const Symbol& symbol, std::optional<double>& value) {
+      const auto other = changed.find(symbol);
+      if (other == changed.end()) return false;
+      value = other->second;
+      ++found;
+      return true;
+    };
+    for (auto& [symbol, value] : parts.elements)
+      if (given(symbol, value)) changes.push_back({&symbol, *value, &positive});
+    for_each_quantity(parts, [&](Quantity& quantity) {
+      bool changes_it = given(quantity.symbol, quantity.value);
+      if (frequency != changed.end() && &quantity == &parts.angular_frequency) {
+        quantity.value = two_pi * frequency->second;
+        changes_it = true;
+      }
+      if (changes_it)
+        changes.push_back({&quantity.symbol, *quantity.value, &range_of(parts, quantity)});
+    });
+    if (found < changed.size()) refuse_unknown(changed);
+    if (shares_mass(parts)) parts.mount_mass->value = parts.mass->value;
+    if (frequency == changed.end()) return;
+    auto typed = std::make_shared<std::map<Symbol, TypedNumber>>(*parts.typed);
+    (*typed)[frequency_symbol] = {frequency->second, {}};
+    parts.typed = std::move(typed);
+  }
+
+  [[noreturn]] void refuse_unknown(const Values& changed) const {
+    Values left = changed;
+    left.erase(frequency_symbol);
+    for (const auto& [symbol, value] : parts.elements) left.erase(symbol);
+    for_each_quantity(parts, [&](const Quantity& quantity) { left.erase(quantity.symbol); });
+    throw InputError(argument("values"), "one for " + to_text(left.begin()->first),
+                     "values of symbols that the scene has");
   }
 
   void add(const Symbol& symbol, const std::optional<double>& value, const Range& range,
@@ -153,7 +222,7 @@ struct Problem::Checked {
       missing.push_back(with_key(missing_name(parts, symbol), key));
   }
 
-  /// The value. A sweep makes a problem a row: the name is made for who has to hear it.
+  /// The value. The name is made for who has to hear it.
   template <class Name>
   double within(const Range& range, double value, Name name) const {
     return range.holds(value) ? value : checked(value, range, name(), {parts.source->file});
@@ -182,7 +251,7 @@ struct Problem::Checked {
     return name.empty() ? text : fmt::format("{} = {}", name, text);
   }
 
-  const Resolved parts;
+  Resolved parts;
   Values values;
   std::vector<std::string> missing;
   mutable std::mutex finding;
@@ -190,7 +259,7 @@ struct Problem::Checked {
 };
 
 Problem::Problem(Resolved resolved)
-    : checked_(std::make_shared<const Checked>(looked_up(std::move(resolved)))) {}
+    : checked_(std::make_shared<const Checked>(std::move(resolved))) {}
 
 Problem::Problem(const Scene& scene) : Problem(parts_of(scene)) {
   Values elements;
@@ -221,29 +290,9 @@ double Problem::found_indentation(const std::function<double()>& find) const {
 }
 
 Problem Problem::with(const Values& values) const {
-  Resolved changed = checked_->parts;
-  Values left = values;
-  const auto put = [&](const Symbol& symbol, std::optional<double>& value) {
-    const auto found = values.find(symbol);
-    if (found == values.end()) return;
-    value = found->second;
-    left.erase(symbol);
-  };
-  for (auto& [symbol, value] : changed.elements) put(symbol, value);
-  for (Quantity* quantity : quantities_of<Quantity>(changed))
-    put(quantity->symbol, quantity->value);
-  if (shares_mass(changed)) changed.mount_mass->value = changed.mass->value;
-  if (const auto frequency = values.find(frequency_symbol); frequency != values.end()) {
-    changed.angular_frequency.value = two_pi * frequency->second;
-    auto typed = std::make_shared<std::map<Symbol, TypedNumber>>(*changed.typed);
-    (*typed)[frequency_symbol] = {frequency->second, {}};
-    changed.typed = std::move(typed);
-    left.erase(frequency_symbol);
-  }
-  if (!left.empty())
-    throw InputError(argument("values"), "one for " + to_text(left.begin()->first),
-                     "values of symbols that the scene has");
-  return Problem(std::move(changed));
+  Problem changed = *this;
+  changed.checked_ = std::make_shared<const Checked>(*checked_, values);
+  return changed;
 }
 
 Problem resolve(const Scene& scene) { return scene; }
@@ -262,7 +311,7 @@ const Quantity& pressing(const Problem& problem) {
 
 std::vector<Quantity> quantities(const Problem& problem) {
   std::vector<Quantity> all;
-  for (const Quantity* quantity : quantities_of<const Quantity>(*problem)) all.push_back(*quantity);
+  for_each_quantity(*problem, [&](const Quantity& quantity) { all.push_back(quantity); });
   return all;
 }
 
@@ -290,88 +339,6 @@ ScaledNetwork tangential_network(const Problem& problem) {
   if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential))
     return {problem->normal, tangential_ratio(*isotropic)};
   return {std::get<ReducedNetwork>(problem->tangential), 1};
-}
-
-/// Makes problems of another structure.
-class Variant {
- public:
-  explicit Variant(const Problem& problem) : parts(*problem) {}
-  Problem made() { return Problem(std::move(parts)); }
-
-  Resolved parts;
-};
-
-Problem as_doubles(const Problem& problem) {
-  Variant variant(problem);
-  variant.parts.typed = std::make_shared<const std::map<Symbol, TypedNumber>>();
-  return variant.made();
-}
-
-Problem called_otherwise(const Problem& problem, std::map<std::string, std::string> names) {
-  Variant variant(problem);
-  variant.parts.names = std::move(names);
-  return variant.made();
-}
-
-Problem warning_of(const Problem& problem, std::vector<std::string> warnings) {
-  Variant variant(problem);
-  Source source = *problem->source;
-  source.warnings = std::move(warnings);
-  variant.parts.source = std::make_shared<const Source>(std::move(source));
-  return variant.made();
-}
-
-Problem staying_closed(const Problem& problem) {
-  Variant variant(problem);
-  variant.parts.separation = false;
-  return variant.made();
-}
-
-Problem at_depth(const Problem& problem, double indentation) {
-  Variant variant(problem);
-  variant.parts.load.reset();
-  variant.parts.indentation.value = indentation;
-  return variant.made();
-}
-
-Problem with_rigid_drive(const Problem& problem) {
-  Variant variant(problem);
-  variant.parts.drive = Rigid{};
-  variant.parts.mass.reset();
-  return variant.made();
-}
-
-Problem over_spring(const Problem& problem, ReducedNetwork normal, const Symbol& stiffness) {
-  Variant variant(problem);
-  variant.parts.normal = std::move(normal);
-  variant.parts.tangential = ReducedNetwork(spring(stiffness));
-  variant.parts.elements.emplace_back(stiffness, 1.0);
-  variant.parts.drive = Rigid{};
-  variant.parts.mass.reset();
-  variant.parts.indenter.reset();
-  variant.parts.mount.reset();
-  variant.parts.mount_mass.reset();
-  variant.parts.separation = false;
-  return variant.made();
-}
-
-Problem with_indenter(const Problem& problem, const Indenter& indenter) {
-  Variant variant(problem);
-  variant.parts.indenter = indenter;
-  return variant.made();
-}
-
-Problem with_normal_spring(const Problem& problem, const Symbol& symbol, double stiffness) {
-  Variant variant(problem);
-  variant.parts.normal = ReducedNetwork(spring(symbol));
-  variant.parts.elements = {{symbol, stiffness}};
-  return variant.made();
-}
-
-Problem with_isotropic(const Problem& problem, const Isotropic& isotropic) {
-  Variant variant(problem);
-  variant.parts.tangential = isotropic;
-  return variant.made();
 }
 
 }  // namespace vcrit
