@@ -90,7 +90,7 @@ void HeldCells::place_cells(const HalfSpace& half_space, const MemoryCells& cell
       if (opens)
         touch = cells.touch(x);
       else
-        touch.decays.assign(1, half_space.static_modulus() * half_space.depth(x));
+        touch.decays = {half_space.static_modulus() * half_space.depth(x)};
       for (Eigen::Index n = 0; n < steps_; ++n) {
         double t = step_ * static_cast<double>(n + 1);
         if (t > touch.end) t -= two_pi;

@@ -52,8 +52,7 @@ Modes beside(const Modes& a, const Modes& b) {
   const Index n = a.spectrum.size(), m = b.spectrum.size();
   const Index states = a.to_modes.columns(), others = b.to_modes.columns();
   Modes both{a.spectrum, Matrix(n + m, states + others), Matrix(states + others, n + m)};
-  both.spectrum.rates.insert(both.spectrum.rates.end(), b.spectrum.rates.begin(),
-                             b.spectrum.rates.end());
+  both.spectrum.rates.append(b.spectrum.rates.begin(), b.spectrum.rates.end());
   both.spectrum.pairs.insert(both.spectrum.pairs.end(), b.spectrum.pairs.begin(),
                              b.spectrum.pairs.end());
   const auto copy = [&](const Modes& one, Index state, const auto& place) {

@@ -3,11 +3,15 @@
 // without a single allocation.
 #pragma once
 
+#include <algorithm>
 #include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <initializer_list>
+#include <iterator>
 #include <span>
+#include <utility>
 
 namespace vcrit::simulation {
 
@@ -25,11 +29,123 @@ using List = boost::container::small_vector<Item, usual>;
 using View = std::span<double>;
 using ConstView = std::span<const double>;
 
-struct Vector : List<double> {
-  using List<double>::List;
-  operator View() { return {data(), size()}; }
-  operator ConstView() const { return {data(), size()}; }
+/// Doubles as List holds them. A motion makes hundreds in a period, so each costs no more than its
+/// numbers: no call for the room, and no loop over elements where one is moved.
+template <Index usual>
+class Numbers {
+ public:
+  using value_type = double;
+
+  Numbers() {}  // NOLINT(modernize-use-equals-default): by default {} would clear all the room
+  explicit Numbers(Index size) : Numbers(size, Unset{}) {
+    std::memset(data_, 0, size * sizeof(double));
+  }
+  Numbers(Index size, double value) : Numbers(size, Unset{}) { std::fill_n(data_, size, value); }
+  Numbers(std::initializer_list<double> numbers) : Numbers(numbers.begin(), numbers.end()) {}
+  template <std::input_iterator Iterator>
+  Numbers(Iterator first, Iterator last) {
+    assign(first, last);
+  }
+  Numbers(const Numbers& other) : Numbers(other.size_, Unset{}) {
+    std::copy_n(other.data_, size_, data_);
+  }
+  Numbers(Numbers&& other) noexcept { take(other); }
+  Numbers& operator=(const Numbers& other) {
+    if (this == &other) return *this;
+    set_size(other.size_);
+    std::copy_n(other.data_, size_, data_);
+    return *this;
+  }
+  Numbers& operator=(Numbers&& other) noexcept {
+    if (this == &other) return *this;
+    leave();
+    take(other);
+    return *this;
+  }
+  ~Numbers() { leave(); }
+
+  Index size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  double* data() { return data_; }
+  const double* data() const { return data_; }
+  double* begin() { return data_; }
+  const double* begin() const { return data_; }
+  double* end() { return data_ + size_; }
+  const double* end() const { return data_ + size_; }
+  double& operator[](Index i) { return data_[i]; }
+  double operator[](Index i) const { return data_[i]; }
+  double& front() { return data_[0]; }
+  double front() const { return data_[0]; }
+  double& back() { return data_[size_ - 1]; }
+  double back() const { return data_[size_ - 1]; }
+
+  /// New ones are zero.
+  void resize(Index size) {
+    const Index before = size_;
+    if (size > capacity_) grow(size);
+    size_ = size;
+    if (size > before) std::fill(data_ + before, data_ + size, 0.0);
+  }
+  void push_back(double value) {
+    if (size_ == capacity_) grow(2 * size_);
+    data_[size_++] = value;
+  }
+  template <std::input_iterator Iterator>
+  void assign(Iterator first, Iterator last) {
+    size_ = 0;
+    append(first, last);
+  }
+  template <std::input_iterator Iterator>
+  void append(Iterator first, Iterator last) {
+    for (; first != last; ++first) push_back(*first);
+  }
+
+ private:
+  struct Unset {};
+  Numbers(Index size, Unset) {
+    if (size > usual) [[unlikely]]
+      grow(size);
+    size_ = size;
+  }
+
+  [[gnu::noinline]] void grow(Index capacity) {
+    auto* const more = new double[capacity];
+    std::copy_n(data_, size_, more);
+    leave();
+    data_ = more;
+    capacity_ = capacity;
+  }
+  /// For numbers that are all written next.
+  void set_size(Index size) {
+    size_ = 0;
+    if (size > capacity_) [[unlikely]]
+      grow(size);
+    size_ = size;
+  }
+  void leave() {
+    if (data_ != own_) [[unlikely]]
+      delete[] data_;
+  }
+  /// Of one that has left its own numbers.
+  void take(Numbers& other) {
+    size_ = other.size_;
+    if (other.data_ == other.own_) [[likely]] {
+      data_ = own_;
+      capacity_ = usual;
+      std::copy_n(other.own_, size_, own_);
+    } else {
+      data_ = std::exchange(other.data_, other.own_);
+      capacity_ = std::exchange(other.capacity_, usual);
+    }
+    other.size_ = 0;
+  }
+
+  double* data_ = own_;
+  Index size_ = 0, capacity_ = usual;
+  double own_[usual];  // no numbers beyond size_
 };
+
+using Vector = Numbers<usual_states>;
 
 /// Column by column, zero at first.
 class Matrix {
@@ -46,7 +162,7 @@ class Matrix {
 
  private:
   Index rows_, columns_;
-  List<double, usual_states * usual_states> numbers_;
+  Numbers<usual_states * usual_states> numbers_;
 };
 
 /// y += factor x.
@@ -126,7 +242,8 @@ inline void add_one(const double* a, Index stride, ConstView x, double* y) {
 
 }  // namespace detail
 
-/// y += a x, for more than a few rows: each sum goes from the first column of a to the last, as above.
+/// y += a x, for more than a few rows: each sum goes from the first column of a to the last, as
+/// above.
 inline void add_product(ConstMatrixView a, ConstMatrixView x, MatrixView y) {
   Index i = 0;
   const auto each_column = [&](auto add, Index rows) {

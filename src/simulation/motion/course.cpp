@@ -66,7 +66,7 @@ Vector integrand(const Model& model, const State& state) {
   const ConstView x = state.x, levels = x.first(model.integrated_levels());
   const ConstView units = x.subspan(model.level_states(), model.slow_units);
   Vector result(levels.begin(), levels.end());
-  result.insert(result.end(), units.begin(), units.end());
+  result.append(units.begin(), units.end());
   return result;
 }
 

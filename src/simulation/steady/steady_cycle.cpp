@@ -88,12 +88,13 @@ class SteadyCycleSearch {
         enough_(enough),
         state_(std::move(start)) {}
 
-  SteadyCycle run() {
+  /// There is one, or ModelError.
+  std::optional<SteadyCycle> run() {
     int cycles = 1;
     for (int attempt = 0; attempt < patience_.attempts; ++attempt) {
       const bool patient = attempt >= easy_attempts;
       for (int i = 0; i < cycles; ++i) plain_period();
-      if (const auto cycle = closed(patient)) return *cycle;
+      if (auto cycle = closed(patient)) return cycle;
       if (last_.parts.size() == 1) load();
       if (patient && cycles < 1000) cycles *= 2;
     }
@@ -141,9 +142,13 @@ class SteadyCycleSearch {
 
   // The period map from a state in slip on, back into slip, and what is left to close the cycle.
   struct Mapped {
+    Mapped(const Model& model, double velocity, const State& state)
+        : trace(simulation::trace(model, velocity, state, two_pi,
+                                  unit_changes(state, state.x.size() - 1))) {}
+
     Trace trace;
-    Closing left;
-    double size;  ///< of the residual, in units of its rounding error
+    Closing left;     // not yet: an initialiser would clear the room of its numbers
+    double size = 0;  ///< of the residual, in units of its rounding error
     const State& start() const { return trace.parts.front().piece.start(); }
   };
 
@@ -151,11 +156,20 @@ class SteadyCycleSearch {
     const Motion section = model_.opening ? Motion::separated : Motion::slip;
     if (section == Motion::slip && contact_velocity(model_, velocity_, state) <= 0)
       return std::nullopt;
+    return mapped(state, section);
+  }
+
+  // Traces are large: they are made where they stay, and an empty room for one would be cleared.
+  std::optional<Mapped> mapped(const State& state, Motion section) {
     ++traced_;
-    Trace once = trace(model_, velocity_, state, two_pi, unit_changes(state, state.x.size() - 1));
-    if (once.end.motion != section) return std::nullopt;
-    const Closing left = closing(model_, state, once);
-    return Mapped{std::move(once), left, size(left.residual, state)};
+    std::optional<Mapped> result(std::in_place, model_, velocity_, state);
+    if (result->trace.end.motion == section) {
+      result->left = closing(model_, state, result->trace);
+      result->size = size(result->left.residual, state);
+    } else {
+      result.reset();
+    }
+    return result;
   }
 
   // In units of rounding errors.
@@ -284,7 +298,7 @@ class SteadyCycleSearch {
   // body, where friction is concave in speed, an estimate with one. What passes outside the law
   // moves forces by no more than its time. All ratios lie between 1 - a and 1, and near a free
   // swing of the body closer to 1.
-  SteadyCycle finished(Mapped now, double more = 0) const {
+  std::optional<SteadyCycle> finished(Mapped&& now, double more = 0) const {
     if (now.trace.parts.size() == 1) {
       more = 1 - velocity_ / model_.threshold;
       if (more > most_without_stick)
@@ -299,7 +313,8 @@ class SteadyCycleSearch {
         model_.opening ? 0 : 2 * epsilon * model_.creep / model_.threshold * model_.amplitude;
     const double sum = epsilon + creeping + change + rounding + more + now.trace.unlawful +
                        model_.bound_error() + model_.merging;
-    return {std::move(now.trace), ratio, at_most(sum, ratio), traced_};
+    return std::optional<SteadyCycle>(std::in_place, std::move(now.trace), ratio,
+                                      at_most(sum, ratio), traced_);
   }
 
   // No error is larger than what friction may be off at all, which takes a response of the drive.
@@ -335,9 +350,11 @@ std::optional<SteadyCycle> searched(const Model& model, double velocity, State s
 std::optional<SteadyCycle> searched(const Model& model, double velocity, State start,
                                     double enough) {
   model.effort.renew(effort_of_state);
-  if (auto found = searched(model, velocity, std::move(start), usual_patience, enough))
-    return found;
-  return searched(model, velocity, sliding_start(model, velocity), last_patience, enough);
+  std::optional<SteadyCycle> found =
+      searched(model, velocity, std::move(start), usual_patience, enough);
+  if (!found)
+    found = searched(model, velocity, sliding_start(model, velocity), last_patience, enough);
+  return found;
 }
 
 }  // namespace
@@ -345,7 +362,7 @@ std::optional<SteadyCycle> searched(const Model& model, double velocity, State s
 SteadyCycle steady_cycle(const Model& model, double velocity, State start) {
   check_reach(model);
   if (auto found = searched(model, velocity, std::move(start), nearly)) return *std::move(found);
-  return SteadyCycleSearch(model, velocity, rest_start(model, velocity), last_patience).run();
+  return *SteadyCycleSearch(model, velocity, rest_start(model, velocity), last_patience).run();
 }
 
 std::optional<SteadyCycle> strictly_steady_cycle(const Model& model, double velocity, State start) {
