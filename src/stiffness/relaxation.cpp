@@ -63,13 +63,20 @@ struct Pole {
 
 PoleSum sum_of(const std::vector<PoleSum>& parts) {
   PoleSum sum;
+  std::size_t most = 0;
+  for (const PoleSum& part : parts) most += part.rates.size();
   std::vector<Pole> poles;
+  poles.reserve(most);
+  sum.rates.reserve(most);
+  sum.weights.reserve(most);
   for (const PoleSum& part : parts) {
     sum.direct += part.direct;
     for (std::size_t j = 0; j < part.rates.size(); ++j)
       poles.push_back({part.rates[j], part.weights[j]});
   }
-  std::ranges::stable_sort(poles, {}, &Pole::rate);
+  // Sorting takes memory, also where there is nothing to sort.
+  if (!std::ranges::is_sorted(poles, {}, &Pole::rate))
+    std::ranges::stable_sort(poles, {}, &Pole::rate);
   for (const Pole& pole : poles) {
     if (!sum.rates.empty() && same_rate(sum.rates.back(), pole.rate)) {
       sum.weights.back() += pole.weight;
@@ -108,6 +115,7 @@ Relaxation relaxed(const Network& network, const Values& values);
 
 std::vector<Relaxation> forms_of(const std::vector<Network>& parts, const Values& values) {
   std::vector<Relaxation> forms;
+  forms.reserve(parts.size());
   for (const Network& part : parts) forms.push_back(relaxed(part, values));
   return forms;
 }
@@ -182,6 +190,7 @@ Relaxation parallel(const std::vector<Relaxation>& parts) {
   check_there_are(parts.size());
   if (parts.size() == 1) return parts[0];
   std::vector<PoleSum> stiffnesses;
+  stiffnesses.reserve(parts.size());
   for (const Relaxation& part : parts) stiffnesses.push_back(stiffness_poles(part));
   return relaxation_of(sum_of(stiffnesses));
 }

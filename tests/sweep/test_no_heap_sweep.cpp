@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <boost/test/unit_test.hpp>
+#include <optional>
 
 #include "scene/scene.hpp"
 #include "support/heap.hpp"
@@ -15,8 +16,10 @@ namespace {
 using namespace vcrit;
 
 long requests(const std::string& scene, const std::vector<std::string>& axes,
-              const std::vector<std::string>& quantities) {
+              const std::vector<std::string>& quantities,
+              std::optional<double> velocity_ratio = std::nullopt) {
   Sweep sweep{read_scene(VCRIT_SCENES "/" + scene), {}, {}, {}, {}};
+  sweep.velocity_ratio = velocity_ratio;
   for (const std::string& axis : axes) sweep.axes.push_back(parse_axis(axis, sweep.problem));
   for (const std::string& quantity : quantities)
     sweep.quantities.push_back(parse_swept_quantity(quantity, sweep.problem));
@@ -51,6 +54,18 @@ BOOST_AUTO_TEST_CASE(speeds_of_a_scene) {
     // The second stretch costs no more than the first, which sets up the scene as well.
     BOOST_TEST(speeds(64) <= 2 * few);
   }
+}
+
+// Each row is a scene of its own, and holds its numbers, its system and their modes. What it does
+// not change is neither asked nor made again: a name for a check, say, or the relaxation of an
+// isotropic contact twice.
+BOOST_AUTO_TEST_CASE(rows_of_other_scenes) {
+  const auto amplitudes = [](int count) {
+    return requests("kelvin_rigid.toml", {fmt::format("amplitude=lin:10 nm:90 nm:{}", count)},
+                    {"friction_ratio"}, 0.5);
+  };
+  constexpr long rows = 100, most_of_a_row = 60;
+  BOOST_TEST(amplitudes(200) - amplitudes(200 - rows) <= rows * most_of_a_row);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

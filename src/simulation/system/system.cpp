@@ -149,7 +149,10 @@ System system_of(const Problem& problem) {
   const ScaledNetwork tangential = tangential_network(problem);
 
   System system;
-  system.contact = scaled(relaxation_form(tangential.network.network(), values), tangential.factor);
+  const bool isotropic = &tangential.network.network() == &problem->normal.network();
+  system.contact =
+      scaled(isotropic ? normal : relaxation_form(tangential.network.network(), values),
+             tangential.factor);
   system.omega = values.at(problem->angular_frequency.symbol);
   system.friction = values.at(problem->coefficient.symbol);
   system.mean_normal_force = closed_mean_force(problem, normal.equilibrium);
