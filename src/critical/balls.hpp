@@ -60,6 +60,14 @@ struct Arithmetic {
   }
 };
 
+inline Ball read_decimal(const TypedNumber& number, slong precision) {
+  Ball exactly;
+  arb_set_str(acb_realref(exactly.get()), number.decimal.c_str(), precision);
+  return exactly;
+}
+
+class ReadDecimals;
+
 /// One number of a scene, times a factor.
 struct Shift {
   Symbol symbol;
@@ -73,6 +81,7 @@ struct Balls : Arithmetic {
   Ball omega;
   const Shift* shift = nullptr;
   const std::map<Symbol, TypedNumber>* typed = nullptr;  ///< of the scene; none: doubles
+  ReadDecimals* decimals = nullptr;                      ///< that were read before
 
   Ball of(const Symbol& symbol) const { return shifted(symbol, values.at(symbol)); }
   Ball shifted(const Symbol& symbol, double value) const {
@@ -95,11 +104,7 @@ struct Balls : Arithmetic {
     return decimal(found->second);
   }
 
-  Ball decimal(const TypedNumber& number) const {
-    Ball exactly;
-    arb_set_str(acb_realref(exactly.get()), number.decimal.c_str(), precision);
-    return exactly;
-  }
+  Ball decimal(const TypedNumber& number) const;
 
   /// m omega^2
   Ball inertia(const Symbol& mass) const { return multiply(of(mass), multiply(omega, omega)); }

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "base/interruption.hpp"
-#include "critical/certified.hpp"
 #include "critical/columns.hpp"
+#include "critical/decimals.hpp"
 #include "critical/kernels.hpp"
 #include "critical/operations.hpp"
 #include "problem/variation.hpp"
@@ -108,13 +108,14 @@ class CriticalVelocities::Formula::Certified {
         [lane](const auto& column, double value) { return at(column, lane) == value; });
   }
 
-  static double velocity_of(const Problem& problem) try {
-    return certified_critical_velocity(problem).value;
+  double velocity_of(const Problem& problem) try {
+    return certified_critical_velocity(problem, decimals_).value;
   } catch (const ModelError&) {
     return no_velocity;
   }
 
   Variation changing_;
+  ReadDecimals decimals_;
   std::vector<double> values_;      // of the last lane
   std::optional<double> velocity_;  // its v*
 };

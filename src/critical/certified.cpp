@@ -10,12 +10,17 @@
 
 #include "base/constants.hpp"
 #include "critical/balls.hpp"
+#include "critical/decimals.hpp"
 #include "critical/drive_response.hpp"
 #include "critical/eq24.hpp"
 #include "critical/log_derivative.hpp"
 #include "network/reduction.hpp"
 
 namespace vcrit {
+
+Ball Balls::decimal(const TypedNumber& number) const {
+  return decimals != nullptr ? decimals->of(number, precision) : read_decimal(number, precision);
+}
 
 namespace {
 
@@ -34,8 +39,11 @@ Ball ratio_ball(const Isotropic& isotropic, const Balls& balls) {
 
 class Evaluation {
  public:
-  explicit Evaluation(const Problem& problem)
-      : problem_(problem), values_(problem_.values()), drive_(drive_in_balls(problem_)) {
+  explicit Evaluation(const Problem& problem, ReadDecimals* decimals = nullptr)
+      : problem_(problem),
+        values_(problem_.values()),
+        drive_(drive_in_balls(problem_)),
+        decimals_(decimals) {
     for (const Amount& amount : problem_->expressions) operations_ += amount_operations(amount);
   }
 
@@ -114,7 +122,7 @@ class Evaluation {
   static slong precision_for(std::size_t steps) { return static_cast<slong>(2200 * (steps + 4)); }
 
   Balls arithmetic(slong precision) const {
-    Balls balls{{precision}, values_, Ball(), nullptr, problem_->typed.get()};
+    Balls balls{{precision}, values_, Ball(), nullptr, problem_->typed.get(), decimals_};
     balls.omega = omega(balls);
     return balls;
   }
@@ -142,6 +150,7 @@ class Evaluation {
   Problem problem_;
   const Values& values_;  // its
   std::unique_ptr<const DriveInBalls> drive_;
+  ReadDecimals* decimals_;
   std::size_t operations_ = 0;  // in expressions of its elements
 };
 
@@ -240,8 +249,9 @@ double certified_difference(const Problem& a, const Problem& b) {
   return 0;
 }
 
-CertifiedVelocity certified_critical_velocity(const Problem& problem) {
-  const Evaluation evaluation(problem);
+namespace {
+
+CertifiedVelocity rounded_correctly(const Evaluation& evaluation, const Problem& problem) {
   const slong most = evaluation.most_precision();
   for (slong precision = 128;; precision = std::min(2 * precision, most)) {
     const Quotient q = evaluation.at(precision);
@@ -267,6 +277,16 @@ CertifiedVelocity certified_critical_velocity(const Problem& problem) {
       return {value, rounding_bound(value), {}};
     }
   }
+}
+
+}  // namespace
+
+CertifiedVelocity certified_critical_velocity(const Problem& problem) {
+  return rounded_correctly(Evaluation(problem), problem);
+}
+
+CertifiedVelocity certified_critical_velocity(const Problem& problem, ReadDecimals& decimals) {
+  return rounded_correctly(Evaluation(problem, &decimals), problem);
 }
 
 }  // namespace vcrit
