@@ -68,6 +68,17 @@ int power_at_rest(const ReducedNetwork& network, Rates rates) {
   return term_count(network.reduction(), rates).power;
 }
 
+bool same_scale(const GiNaC::exmap& a, const GiNaC::exmap& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
+    return one.first.is_equal(other.first) && one.second.is_equal(other.second);
+  });
+}
+
+bool same_factors(const Change& a, const Change& b) {
+  return a.rigid == b.rigid && a.ratio.has_value() == b.ratio.has_value() &&
+         (!a.ratio || a.ratio->is_equal(*b.ratio)) && same_scale(a.scale, b.scale);
+}
+
 Surrounding surrounding_of(const Problem& problem) {
   using NormalMass = Surrounding::NormalMass;
   const bool mass = problem->mass.has_value();
@@ -149,7 +160,13 @@ void Model::put_drive(const ReducedNetwork& drive) {
   networks_.push_back({"K_d", drive});
 }
 
-Factors Model::factors(const Change& change) const {
+const Factors& Model::factors(const Change& change) const {
+  for (const auto& [known, factors] : factors_)
+    if (same_factors(known, change)) return factors;
+  return factors_.emplace_back(change, new_factors(change)).second;
+}
+
+Factors Model::new_factors(const Change& change) const {
   ex amplitude = balance_.contact_amplitude;
   if (change.ratio) amplitude = amplitude.subs(quantity("K_t") == *change.ratio * quantity("K_n"));
   // A drive that grows is no longer the contact's network.
@@ -219,7 +236,7 @@ bool Model::unloads_contact(const Change& change) const {
 
 Leading<Factors> Model::leading_amplitude(const std::map<std::string, int>& powers,
                                           const Change& change) const {
-  if (change.ratio || !change.scale.empty()) return new_leading_amplitude(powers, change);
+  if (!change.keeps_letters()) return new_leading_amplitude(powers, change);
   const auto [known, is_new] = leading_.try_emplace({powers, change.rigid});
   if (is_new) known->second = new_leading_amplitude(powers, change);
   return known->second;
@@ -227,7 +244,7 @@ Leading<Factors> Model::leading_amplitude(const std::map<std::string, int>& powe
 
 Leading<Factors> Model::new_leading_amplitude(const std::map<std::string, int>& powers,
                                               const Change& change) const {
-  const Factors whole = factors(change);
+  const Factors& whole = factors(change);
   Leading<Factors> leading;
   leading.value.multiply_rational(whole.coefficient());
   for (const auto& [factor, exponent] : whole.parts()) {

@@ -3,6 +3,7 @@
 
 #include <ginac/ginac.h>
 
+#include <deque>
 #include <map>
 #include <optional>
 #include <set>
@@ -25,6 +26,9 @@ struct Change {
   bool massless = false;           ///< m to 0
   std::optional<GiNaC::ex> ratio;  ///< K_t = ratio K_n
   GiNaC::exmap scale = {};         ///< symbols written in others
+
+  /// Whether the letters stay as they are.
+  bool keeps_letters() const { return !ratio && scale.empty(); }
 };
 
 struct Formula {
@@ -54,7 +58,7 @@ class Model {
   /// The amplitude B after isotropy and equal networks have been put in.
   GiNaC::ex amplitude(const Change& change) const;
   /// The same; with a mount, what resonates along the normal is a factor of its own.
-  Factors factors(const Change& change) const;
+  const Factors& factors(const Change& change) const;
   /// B/(mu0 du_z) without a limit.
   const GiNaC::ex& per_friction() const;
   /// Nothing where the limit cuts a network in two, makes the normal network rigid or unable to
@@ -81,6 +85,7 @@ class Model {
 
  private:
   void put_drive(const ReducedNetwork& drive);
+  Factors new_factors(const Change& change) const;
   bool is_small(const GiNaC::ex& amplitude, const Change& change) const;
   std::map<std::string, int> powers(const Change& change) const;
   bool unloads_contact(const Change& change) const;
@@ -106,6 +111,8 @@ class Model {
   std::optional<GiNaC::ex> ratio_;
   bool loaded_ = false;
   mutable std::pair<Rates, std::vector<Leading<TermCount>>> counted_;
+  /// In a document several lines ask for those of each of a few changes. Their places are kept.
+  mutable std::deque<std::pair<Change, Factors>> factors_;
   mutable std::optional<GiNaC::ex> per_friction_;  ///< asked for at each point of a proof
   /// By powers, and whether the drive is rigid, where nothing else changes: hundreds of limits of a
   /// large network share one.

@@ -100,14 +100,17 @@ std::vector<DocumentBlock> root_steps(const Derivation& derivation, const Abbrev
   const Line absolute{"", GiNaC::abs(complex), GiNaC::sqrt(a * a + b * b)};
   const Statement at = stated(laplace(), GiNaC::I * omega());
   const Model& model = *derivation.model;
-  if (!model.multiplied_out_amplitude())
+  const std::optional<Factors> multiplied_out = model.multiplied_out_amplitude();
+  if (!multiplied_out)
     return {{{"The absolute value of a product is the product of absolute values; each factor is ",
               complex, " with real ", a, " and ", b, " at ", at},
              {absolute}}};
   NamedAmplitude named = shortest_in(
       names, {},
       [&](const Change& change) {
-        return named_amplitude(model.multiplied_out_amplitude(change).value());
+        return named_amplitude(change.keeps_letters()
+                                   ? *multiplied_out
+                                   : model.multiplied_out_amplitude(change).value());
       },
       operations_in_steps);
   if (named.polynomials.empty()) return {};
