@@ -6,9 +6,9 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -47,6 +47,26 @@ struct NodeData {
   std::uint32_t name = 0;
   std::vector<Item> items;  ///< by node number
   std::size_t hash = 0;
+};
+
+/// Nodes, which stay where they are when more come; a place is found by a shift, where std::deque
+/// divides.
+class NodeStore {
+ public:
+  std::size_t size() const { return size_; }
+  NodeData& operator[](std::size_t i) { return chunks_[i / chunk][i % chunk]; }
+  const NodeData& operator[](std::size_t i) const { return chunks_[i / chunk][i % chunk]; }
+  NodeData& back() { return (*this)[size_ - 1]; }
+  void push_back(NodeData node) {
+    if (size_ == chunks_.size() * chunk) chunks_.push_back(std::make_unique<NodeData[]>(chunk));
+    (*this)[size_++] = std::move(node);
+  }
+  void pop_back() { --size_; }
+
+ private:
+  static constexpr std::size_t chunk = 256;
+  std::vector<std::unique_ptr<NodeData[]>> chunks_;
+  std::size_t size_ = 0;
 };
 
 class Expressions {
@@ -112,7 +132,7 @@ class Expressions {
 
   mutable std::size_t work_ = 0;
   std::size_t allowed_ = std::numeric_limits<std::size_t>::max();
-  std::deque<NodeData> nodes_;
+  NodeStore nodes_;
   struct Name {
     std::string text;
     int operations = 0;

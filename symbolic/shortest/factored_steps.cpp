@@ -3,6 +3,8 @@
 // part of its own.
 #include <algorithm>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "shortest/steps.hpp"
 
@@ -13,18 +15,22 @@ void Steps::take_out_factors() {
     more = false;
     for (std::uint32_t i = 0; i < steps_.size() && !more; ++i) {
       if (steps_[i].uses == 0) continue;
-      const std::vector<FormulaStep> before = steps_;
+      std::vector<FormulaStep> before;
       const int operations = operations_;
-      const bool changed = steps_[i].kind == FormulaStep::Kind::sum       ? take_out_of(i)
-                           : steps_[i].kind == FormulaStep::Kind::product ? multiply_into(i)
+      const bool changed = steps_[i].kind == FormulaStep::Kind::sum       ? take_out_of(i, before)
+                           : steps_[i].kind == FormulaStep::Kind::product ? multiply_into(i, before)
                                                                           : false;
       if (changed) count();
       more = changed && operations_ < operations;
-      if (more) continue;
-      steps_ = before;
+      if (more || before.empty()) continue;
+      steps_ = std::move(before);
       if (changed) count();
     }
   }
+}
+
+void Steps::keep(std::vector<FormulaStep>& before) const {
+  if (before.empty()) before = steps_;
 }
 
 bool Steps::cancel_in_front(ExNode omega) {
@@ -84,8 +90,8 @@ std::uint32_t Steps::times(std::uint32_t step, std::uint32_t factor) {
 }
 
 /// a b + a c + d = a (b + c) + d
-bool Steps::take_out_of(std::uint32_t sum) {
-  const std::vector<StepPart> terms = steps_[sum].parts;
+bool Steps::take_out_of(std::uint32_t sum, std::vector<FormulaStep>& before) {
+  const StepParts terms = steps_[sum].parts;
   std::map<StepPart, std::size_t> found;
   for (const StepPart& term : terms)
     if (is_used_once(term.step, FormulaStep::Kind::product))
@@ -93,12 +99,13 @@ bool Steps::take_out_of(std::uint32_t sum) {
   const auto best = std::max_element(
       found.begin(), found.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   if (best == found.end() || best->second < 2) return false;
+  keep(before);
   const StepPart common = best->first;
   FormulaStep inner;
   inner.kind = FormulaStep::Kind::sum;
-  std::vector<StepPart> rest;
+  StepParts rest;
   for (const StepPart& term : terms) {
-    const std::vector<StepPart>& factors = steps_[term.step].parts;
+    const StepParts& factors = steps_[term.step].parts;
     const bool has = is_used_once(term.step, FormulaStep::Kind::product) &&
                      std::find(factors.begin(), factors.end(), common) != factors.end();
     if (has)
@@ -126,36 +133,38 @@ bool Steps::take_out_of(std::uint32_t sum) {
   return true;
 }
 
-bool Steps::multiply_into(std::uint32_t product) {
-  const std::vector<StepPart> factors = steps_[product].parts;
+bool Steps::multiply_into(std::uint32_t product, std::vector<FormulaStep>& before) {
+  const StepParts factors = steps_[product].parts;
   for (const StepPart& sum : factors)
     for (const StepPart& factor : factors)
-      if (sum.sign > 0 && factor.sign > 0 && multiply_into(product, sum.step, factor.step))
+      if (sum.sign > 0 && factor.sign > 0 && multiply_into(product, sum.step, factor.step, before))
         return true;
   return false;
 }
 
 /// a (b + c/a) = a b + c
-bool Steps::multiply_into(std::uint32_t product, std::uint32_t sum, std::uint32_t factor) {
+bool Steps::multiply_into(std::uint32_t product, std::uint32_t sum, std::uint32_t factor,
+                          std::vector<FormulaStep>& before) {
   if (!is_used_once(sum, FormulaStep::Kind::sum) || steps_[sum].parts.size() != 2) return false;
   const StepPart below{factor, -1};
   const auto has = [&](const StepPart& term) {
-    const std::vector<StepPart>& parts = steps_[term.step].parts;
+    const StepParts& parts = steps_[term.step].parts;
     return is_used_once(term.step, FormulaStep::Kind::product) &&
            std::find(parts.begin(), parts.end(), below) != parts.end();
   };
-  std::vector<StepPart> terms = steps_[sum].parts;
+  StepParts terms = steps_[sum].parts;
   const auto is_power = [&](const StepPart& term) {
-    const std::vector<StepPart>& parts = steps_[term.step].parts;
+    const StepParts& parts = steps_[term.step].parts;
     return is_used_once(term.step, FormulaStep::Kind::product) &&
            std::find(parts.begin(), parts.end(), StepPart{factor, 1}) != parts.end();
   };
   if (std::none_of(terms.begin(), terms.end(), has) ||
       std::any_of(terms.begin(), terms.end(), is_power))
     return false;
+  keep(before);
   for (StepPart& term : terms)
     term.step = has(term) ? without(term.step, below) : times(term.step, factor);
-  std::vector<StepPart> rest;
+  StepParts rest;
   for (const StepPart& part : steps_[product].parts)
     if (part.step != sum && part.step != factor) rest.push_back(part);
   if (rest.empty()) return become_sum(product, terms);
@@ -169,7 +178,7 @@ bool Steps::multiply_into(std::uint32_t product, std::uint32_t sum, std::uint32_
 }
 
 /// Within another sum its terms are terms of that.
-bool Steps::become_sum(std::uint32_t product, const std::vector<StepPart>& terms) {
+bool Steps::become_sum(std::uint32_t product, const StepParts& terms) {
   const bool within = is_used_once(product, FormulaStep::Kind::product);
   steps_[product].kind = FormulaStep::Kind::sum;
   steps_[product].parts = terms;

@@ -145,7 +145,7 @@ bool Lines::has_line(Index i) const {
   if (step.kind == FormulaStep::Kind::number) return false;
   if (step.kind == FormulaStep::Kind::symbol) {
     if (step.uses > 1) return all_.operations(step.node) > 0;
-    const std::vector<StepPart>& factors = steps_.steps()[steps_.whole()].parts;
+    const StepParts& factors = steps_.steps()[steps_.whole()].parts;
     const bool factor = std::find(factors.begin(), factors.end(), StepPart{i, 1}) != factors.end();
     return all_.operations(step.node) >= least_named_once && !factor;
   }

@@ -1,7 +1,6 @@
 #include "shortest/steps.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <optional>
 
 namespace vcrit::symbolic::shortest {
@@ -9,6 +8,9 @@ namespace vcrit::symbolic::shortest {
 namespace {
 
 std::uint64_t bit(std::uint32_t step) { return std::uint64_t{1} << (step % 64); }
+
+/// std::has_single_bit() counts all bits, which is a call where the processor may lack POPCNT.
+bool is_single_bit(std::uint64_t mask) { return (mask & (mask - 1)) == 0; }
 
 /// How many parts two steps of a kind have in common: with equal signs, and with opposite ones.
 struct Common {
@@ -33,15 +35,14 @@ void for_each_common(const FormulaStep& a, const FormulaStep& b, const Visit& vi
 
 Common count_common(const FormulaStep& a, const FormulaStep& b) {
   Common count;
-  for_each_common(
-      a, b, [&](const StepPart&, bool same) { ++(same ? count.same : count.opposite); });
+  for_each_common(a, b,
+                  [&](const StepPart&, bool same) { ++(same ? count.same : count.opposite); });
   return count;
 }
 
 /// What two steps of a kind have in common, as it stands in `a`: the larger of both.
-std::vector<StepPart> common_parts(const FormulaStep& a, const FormulaStep& b,
-                                   const Common& count) {
-  std::vector<StepPart> parts;
+StepParts common_parts(const FormulaStep& a, const FormulaStep& b, const Common& count) {
+  StepParts parts;
   for_each_common(a, b, [&](const StepPart& part, bool same) {
     if (same == (count.opposite <= count.same)) parts.push_back(part);
   });
@@ -49,7 +50,7 @@ std::vector<StepPart> common_parts(const FormulaStep& a, const FormulaStep& b,
 }
 
 /// The sign with which `step` holds all of `parts`, if it does.
-std::optional<int> sign_in(const FormulaStep& step, const std::vector<StepPart>& parts) {
+std::optional<int> sign_in(const FormulaStep& step, const StepParts& parts) {
   int sign = 0;
   auto i = step.parts.begin();
   for (const StepPart& part : parts) {
@@ -205,26 +206,28 @@ std::uint32_t Steps::of(ExNode node) {
   return made;
 }
 
-void Steps::replace(std::uint32_t in, const std::vector<StepPart>& common, std::uint32_t by) {
+void Steps::replace(std::uint32_t in, const StepParts& common, std::uint32_t by) {
   const std::optional<int> sign = sign_in(steps_[in], common);
   if (!sign) return;
-  std::erase_if(steps_[in].parts, [&](const StepPart& part) {
+  StepParts& parts = steps_[in].parts;
+  const auto is_common = [&](const StepPart& part) {
     return std::any_of(common.begin(), common.end(),
                        [&](const StepPart& each) { return each.step == part.step; });
-  });
-  steps_[in].parts.push_back({by, *sign});
+  };
+  parts.erase(std::remove_if(parts.begin(), parts.end(), is_common), parts.end());
+  parts.push_back({by, *sign});
   steps_[in].sort_parts();
 }
 
 bool Steps::share_best(const std::vector<std::uint32_t>& sets) {
-  std::vector<StepPart> best;
+  StepParts best;
   all_.spend(sets.size() * sets.size() / 8);
   for (std::size_t i = 0; i < sets.size(); ++i)
     for (std::size_t j = i + 1; j < sets.size(); ++j) {
       const FormulaStep &a = steps_[sets[i]], &b = steps_[sets[j]];
       const std::uint64_t mask = a.mask & b.mask;
       // One bit may stand for several steps where there are more than 64.
-      if (mask == 0 || (std::has_single_bit(mask) && steps_.size() <= 64)) continue;
+      if (mask == 0 || (is_single_bit(mask) && steps_.size() <= 64)) continue;
       const Common common = count_common(a, b);
       if (common.larger() >= 2 && common.larger() > best.size()) best = common_parts(a, b, common);
     }
@@ -268,7 +271,7 @@ std::uint32_t Steps::halve(std::uint32_t sum) {
   FormulaStep half;
   half.kind = FormulaStep::Kind::sum;
   half.uses = 1;
-  std::vector<StepPart>& parts = steps_[sum].parts;
+  StepParts& parts = steps_[sum].parts;
   const auto middle = parts.begin() + static_cast<std::ptrdiff_t>((parts.size() + 1) / 2);
   half.parts.assign(parts.begin(), middle);
   // A sum begins with what is added.

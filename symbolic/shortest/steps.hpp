@@ -3,6 +3,7 @@
 // with a name for each step that is used more than once.
 #pragma once
 
+#include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <vector>
 
@@ -17,13 +18,16 @@ struct StepPart {
   friend auto operator<=>(const StepPart&, const StepPart&) = default;
 };
 
+/// A search makes millions of steps, nearly all of few parts: these need no heap.
+using StepParts = boost::container::small_vector<StepPart, 4>;
+
 struct FormulaStep {
   enum class Kind : std::uint8_t { symbol, number, sum, product, power, root, magnitude };
   Kind kind = Kind::symbol;
   ExNode node = 0;          ///< of a symbol
   std::int64_t number = 0;  ///< natural
   int exponent = 1;         ///< of a power
-  std::vector<StepPart> parts;
+  StepParts parts;
   int uses = 0;
   std::uint64_t mask = 0;  ///< of the parts' steps: disjoint masks have no part in common
   void sort_parts();
@@ -45,8 +49,8 @@ class Steps {
   /// a b + a c = a (b + c) and a (b + c/a) = a b + c where that is shorter: what the sharing of
   /// steps has left.
   void take_out_factors();
-  /// Of a whole that begins with what leads, over a letter that is `omega` times a symbol: the symbol
-  /// in place of the letter, where omega goes from what leads as well.
+  /// Of a whole that begins with what leads, over a letter that is `omega` times a symbol: the
+  /// symbol in place of the letter, where omega goes from what leads as well.
   bool cancel_in_front(ExNode omega);
   /// Makes the first half of a sum's terms a step of its own: as many operations.
   std::uint32_t halve(std::uint32_t sum);
@@ -60,15 +64,19 @@ class Steps {
   std::uint32_t product(const SmallFraction& factor, const std::vector<Item>& items);
   void share(FormulaStep::Kind kind);
   bool share_best(const std::vector<std::uint32_t>& sets);
-  void replace(std::uint32_t in, const std::vector<StepPart>& common, std::uint32_t by);
+  void replace(std::uint32_t in, const StepParts& common, std::uint32_t by);
   void count();
   std::uint32_t without(std::uint32_t product, const StepPart& factor);
   std::uint32_t times(std::uint32_t step, std::uint32_t factor);
   bool is_used_once(std::uint32_t step, FormulaStep::Kind kind) const;
-  bool take_out_of(std::uint32_t sum);
-  bool multiply_into(std::uint32_t product);
-  bool multiply_into(std::uint32_t product, std::uint32_t sum, std::uint32_t factor);
-  bool become_sum(std::uint32_t product, const std::vector<StepPart>& terms);
+  /// All steps as they are now, unless they are kept already.
+  void keep(std::vector<FormulaStep>& before) const;
+  /// Before these change a step, `before` keeps all.
+  bool take_out_of(std::uint32_t sum, std::vector<FormulaStep>& before);
+  bool multiply_into(std::uint32_t product, std::vector<FormulaStep>& before);
+  bool multiply_into(std::uint32_t product, std::uint32_t sum, std::uint32_t factor,
+                     std::vector<FormulaStep>& before);
+  bool become_sum(std::uint32_t product, const StepParts& terms);
 
   const Expressions& all_;
   std::vector<FormulaStep> steps_;
