@@ -128,6 +128,7 @@ Ex Expressions::named(std::string letter, const Ex& meaning, int operations, boo
 
 Ex Expressions::sum(std::vector<Ex> terms) {
   std::vector<Item> items;
+  items.reserve(terms.size());
   for (const Ex& term : terms)
     if (!term.is_zero()) items.push_back({term.node, 1, term.factor});
   join_terms(items);
@@ -137,6 +138,7 @@ Ex Expressions::sum(std::vector<Ex> terms) {
   };
   while (std::any_of(items.begin(), items.end(), is_part)) {
     std::vector<Item> flat;
+    flat.reserve(2 * items.size());
     for (const Item& item : items) {
       if (!is_part(item))
         flat.push_back(item);
@@ -191,6 +193,7 @@ void Expressions::multiply_into(std::vector<Item>& items, SmallFraction& factor,
 
 Ex Expressions::product(const std::vector<std::pair<Ex, int>>& factors) {
   std::vector<Item> items, under_root;
+  items.reserve(factors.size() + 4);  // some are products themselves
   SmallFraction factor, root_factor;
   for (const auto& [base, exponent] : factors) {
     if (base.is_zero()) return number(0);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace vcrit::symbolic::shortest {
 
@@ -28,7 +31,7 @@ class Alternatives {
     friend bool operator==(const Power&, const Power&) = default;
   };
 
-  Items items(ExNode node) const { return all_[node].items; }
+  const Items& items(ExNode node) const { return all_[node].items; }
 
   void offer(const Ex& ex) {
     const Ex same{{}, node_};
@@ -36,11 +39,12 @@ class Alternatives {
       found_.push_back(ex);
   }
 
-  /// A term as its factors.
-  Items factors(ExNode term) const {
+  /// A term as its factors, until another term's are asked for.
+  std::span<const Item> factors(ExNode term) const {
     if (term == 0) return {};
     if (all_[term].kind == Kind::product) return all_[term].items;
-    return {{term, 1, {}}};
+    single_ = {term, 1, {}};
+    return {&single_, 1};
   }
 
   Ex over(const Item& term, const Power& power) {
@@ -49,6 +53,7 @@ class Alternatives {
 
   Ex sum_over(const Items& terms, const Power& power) {
     std::vector<Ex> left;
+    left.reserve(terms.size());
     for (const Item& term : terms) left.push_back(over(term, power));
     return all_.sum(std::move(left));
   }
@@ -131,8 +136,9 @@ class Alternatives {
             move_under_root(factors, root, factor);
   }
 
-  Ex product_without(const Items& factors, ExNode a, ExNode b) {
+  Ex product_without(std::span<const Item> factors, ExNode a, ExNode b) {
     std::vector<std::pair<Ex, int>> rest;
+    rest.reserve(factors.size());
     for (const Item& factor : factors)
       if (factor.node != a && factor.node != b)
         rest.push_back({{{}, factor.node}, factor.exponent});
@@ -183,6 +189,7 @@ class Alternatives {
   Expressions& all_;
   ExNode node_ = 0;
   std::vector<Ex> found_;
+  mutable Item single_;
 };
 
 /// The expression with one node replaced, wherever it occurs.

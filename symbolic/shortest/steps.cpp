@@ -1,6 +1,7 @@
 #include "shortest/steps.hpp"
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <optional>
 
 namespace vcrit::symbolic::shortest {
@@ -222,12 +223,14 @@ void Steps::replace(std::uint32_t in, const StepParts& common, std::uint32_t by)
 bool Steps::share_best(const std::vector<std::uint32_t>& sets) {
   StepParts best;
   all_.spend(sets.size() * sets.size() / 8);
+  boost::container::small_vector<std::uint64_t, 64> masks;
+  for (const std::uint32_t set : sets) masks.push_back(steps_[set].mask);
   for (std::size_t i = 0; i < sets.size(); ++i)
     for (std::size_t j = i + 1; j < sets.size(); ++j) {
-      const FormulaStep &a = steps_[sets[i]], &b = steps_[sets[j]];
-      const std::uint64_t mask = a.mask & b.mask;
+      const std::uint64_t mask = masks[i] & masks[j];
       // One bit may stand for several steps where there are more than 64.
       if (mask == 0 || (is_single_bit(mask) && steps_.size() <= 64)) continue;
+      const FormulaStep &a = steps_[sets[i]], &b = steps_[sets[j]];
       const Common common = count_common(a, b);
       if (common.larger() >= 2 && common.larger() > best.size()) best = common_parts(a, b, common);
     }
@@ -261,6 +264,7 @@ bool Steps::share_best(const std::vector<std::uint32_t>& sets) {
 void Steps::share(FormulaStep::Kind kind) {
   for (bool more = true; more;) {
     std::vector<std::uint32_t> sets;
+    sets.reserve(steps_.size());
     for (std::uint32_t i = 0; i < steps_.size(); ++i)
       if (steps_[i].kind == kind && i != whole() && steps_[i].parts.size() >= 2) sets.push_back(i);
     more = sets.size() >= 2 && share_best(sets);
