@@ -9,6 +9,7 @@
 #include "base/plain_text.hpp"
 #include "document/displays.hpp"
 #include "formula/dialect.hpp"
+#include "formula/text.hpp"
 #include "formula/width.hpp"
 #include "record/fields.hpp"
 #include "record/html_text.hpp"
@@ -218,9 +219,11 @@ std::string markup_document(Format format, const std::string& title,
   const DocumentMarkup markup = markup_of(format, standalone);
   Displays displays(markup.dialect(), markup.measure);
   const record::Markup heading{markup.title(one_line(title))};
-  Json record{{"title", Fields(record::Reader::page).written(heading)},
-              {"standalone", standalone},
-              {"sections", Json::array()}};
+  Json record{
+      {"title", Fields(record::Reader::page).written(heading)},
+      {"standalone", standalone},
+      {"style", Fields(record::Reader::page).written(record::Markup{std::string(mathml_style())})},
+      {"sections", Json::array()}};
   for (const Section& section : sections)
     record["sections"].push_back(section_record(section, markup, displays));
   const record::Templates templates(

@@ -26,9 +26,17 @@ std::string letter(const std::string& word) {
   return found == characters.end() ? word : found->second;
 }
 
+/// In italics if it is a single letter; words say that they are upright, as a page's style cannot
+/// tell (mathml_style()).
+std::string identifier(const std::string& text) {
+  const auto letters =
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; });
+  return (letters == 1 ? "<mi>" : "<mi mathvariant=\"normal\">") + text + "</mi>";
+}
+
 std::string mathml_index_part(const std::string& part) {
   const bool digits = std::isdigit(static_cast<unsigned char>(part.front())) != 0;
-  return digits ? "<mn>" + part + "</mn>" : "<mi>" + letter(part) + "</mi>";
+  return digits ? "<mn>" + part + "</mn>" : identifier(letter(part));
 }
 
 class MathMlDialect : public Dialect {
@@ -40,11 +48,11 @@ class MathMlDialect : public Dialect {
   }
   std::string name(const std::string& symbol) const override { return set(printed_name(symbol)); }
   static std::string set(const std::string& text) {
-    if (is_set_apart(text)) return "<mi>" + text + "</mi>";
+    if (is_set_apart(text)) return identifier(text);
     if (is_sensitivity(text))
       return "<msub><mi>S</mi><mrow>" + set(text.substr(2)) + "</mrow></msub>";
     const Notation n = notation(text, has_bare_entry(text));
-    std::string result = "<mi>" + letter(n.base) + "</mi>";
+    std::string result = identifier(letter(n.base));
     const auto dots = std::count(n.above.begin(), n.above.end(), '\'');
     if (dots > 0)
       result = fmt::format("<mover>{}<mo>{}</mo></mover>", result, dots == 1 ? "˙" : "¨");
@@ -90,7 +98,7 @@ class MathMlDialect : public Dialect {
       return "<mrow><mo fence=\"true\">|</mo>" + argument + "<mo fence=\"true\">|</mo></mrow>";
     if (function == "exp" && printed_name(own_name("e")) == "e")
       return "<msup><mi>e</mi><mrow>" + argument + "</mrow></msup>";
-    return "<mi>" + function + "</mi>" + wrapped(argument);
+    return identifier(function) + wrapped(argument);
   }
   std::string wrapped(const std::string& text) const override {
     return "<mrow><mo>(</mo>" + text + "<mo>)</mo></mrow>";
@@ -102,17 +110,17 @@ class MathMlDialect : public Dialect {
   std::string tending(const std::string& left, const std::string& right) const override {
     return left + "<mo>→</mo>" + right;
   }
-  std::string infinity() const override { return "<mi>∞</mi>"; }
+  std::string infinity() const override { return "<mi mathvariant=\"normal\">∞</mi>"; }
   std::string range(const std::string& index, int first, int last) const override {
-    return fmt::format("<mi>{}</mi><mo>=</mo><mn>{}</mn><mo>,</mo><mo>…</mo><mo>,</mo><mn>{}</mn>",
-                       index, first, last);
+    return fmt::format("{}<mo>=</mo><mn>{}</mn><mo>,</mo><mo>…</mo><mo>,</mo><mn>{}</mn>",
+                       identifier(index), first, last);
   }
   std::string series(const std::string& term, const std::string& index, int first,
                      int last) const override {
     return fmt::format(
-        "<munderover><mo>∑</mo><mrow><mi>{}</mi><mo>=</mo><mn>{}</mn></mrow><mn>{}</mn>"
+        "<munderover><mo>∑</mo><mrow>{}<mo>=</mo><mn>{}</mn></mrow><mn>{}</mn>"
         "</munderover>{}",
-        index, first, last, term);
+        identifier(index), first, last, term);
   }
   Piece::Tightness series_tightness() const override { return Piece::Tightness::sum; }
   bool roots_stand_behind() const override { return true; }

@@ -25,6 +25,15 @@ std::string math(const std::string& content) {
 
 }  // namespace
 
+std::string_view mathml_style() {
+  // Browsers show a single letter as one of U+1D400 to U+1D7FF, which few systems have a font for:
+  // not here.
+  return R"(math { font-family: "STIX Two Math", "Cambria Math", "XITS Math", "TeX Gyre Termes Math", "Libertinus Math", "DejaVu Math TeX Gyre", "Latin Modern Math", "Asana Math", math, serif; }
+math mi { font-family: "STIX Two Text", "Cambria", "Times New Roman", "Liberation Serif", "DejaVu Serif", serif; font-style: italic; text-transform: none; }
+math mi[mathvariant] { font-style: normal; }
+)";
+}
+
 std::string to_mathml(const GiNaC::ex& expression) {
   const AlgebraLock lock;
   return math(mathml_dialect().print(form_of(expression)));

@@ -4,6 +4,7 @@
 #include <ginac/ginac.h>
 
 #include <string>
+#include <string_view>
 
 #include "base/numbers.hpp"
 #include "formula/line.hpp"
@@ -16,6 +17,10 @@ struct Form;
 using vcrit::to_text;
 std::string to_text(const GiNaC::ex& expression);
 std::string to_latex(const GiNaC::ex& expression);
+/// CSS for a page with the MathML below. Roots and brackets grow with a font for mathematics;
+/// letters need none.
+std::string_view mathml_style();
+
 /// Presentation MathML, <math>...</math>.
 std::string to_mathml(const GiNaC::ex& expression);
 std::string to_mathml(const Form& form);

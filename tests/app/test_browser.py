@@ -106,6 +106,31 @@ class Browser(unittest.TestCase):
             self.assertNotIn("m/s", line.text)
             self.assertNotIn("passed", line.text)
 
+    # On a system without a font for mathematics browsers have no glyphs for U+1D400 to U+1D7FF, as which they show a single
+    # letter unless the page says otherwise.
+    def test_formulas_need_no_font_for_mathematics(self):
+        # What innerText says is what is shown, capitals of text-transform and mathematical letters included. Words and Δ are upright.
+        letters = r"""const all = [...document.querySelectorAll('math mi')];
+            document.querySelectorAll('details').forEach((each) => { each.open = true; });
+            const shown = [...document.body.innerText].filter((letter) => letter >= '\u{1D400}' && letter < '\u{1D800}');
+            const of = (mi, name) => getComputedStyle(mi)[name];
+            return [all.length, shown.length, all.filter((mi) => of(mi, 'textTransform') !== 'none').length,
+                    all.filter((mi) => (of(mi, 'fontStyle') === 'italic') !== /^[^\P{L}Δ]$/u.test(mi.textContent)).map((mi) => mi.outerHTML)]"""
+        scrolled = """return [...document.querySelectorAll('.equation')].filter((e) =>
+            e.scrollHeight > e.clientHeight && getComputedStyle(e).overflowY !== 'hidden' ||
+            e.scrollWidth > e.clientWidth && e.scrollWidth < e.clientWidth + 3).map((e) => e.textContent)"""
+        pages = {"document": ["scenes/prony.toml", "--format", "html"], "material": ["scenes/prony.toml", "--material"], "catalogue": ["--catalogue"]}
+        for name, words in pages.items():
+            with open(self.report / f"{name}.html", "wb") as page:
+                subprocess.run([PROGRAM, "derive", *words], cwd=PROJECT, check=True, stdout=page)
+        for name in [*SCENES, *MORE, "zener.evidence", "paper/index", *pages]:
+            with self.subTest(page=name):
+                self.open(name)
+                found, shown, transformed, of_other_style = self.run_script(letters)
+                self.assertEqual(self.run_script(scrolled), [], "a formula has a scroll bar for nothing")
+                self.assertGreater(found, 3)
+                self.assertEqual((shown, transformed, of_other_style), (0, 0, []))
+
     def test_a_phone_shows_all_without_scrolling_sideways(self):
         self.width(390)
         for name in [*SCENES, *MORE, "index", "zener.evidence", "paper/index"]:

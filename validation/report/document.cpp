@@ -9,6 +9,7 @@
 
 #include "base/errors.hpp"
 #include "base/numbers.hpp"
+#include "formula/text.hpp"
 #include "record/html_text.hpp"
 #include "record/template.hpp"
 #include "report/assets.hpp"
@@ -49,6 +50,7 @@ std::string policy(const std::vector<std::string_view>& scripts, bool simulates)
 
 std::string style_of(const Document& content) {
   std::string all(style());
+  all += symbolic::mathml_style();
   if (content.simulates) all += explorer_style();
   return all;
 }
