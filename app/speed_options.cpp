@@ -40,8 +40,10 @@ Speed SpeedOptions::of(const Problem& problem) const {
   const bool by_ratio = velocity_.empty();
   if (by_ratio && std::isinf(critical))
     throw ModelError(onset.reason + ": --velocity-ratio has no meaning, give --velocity");
-  const double velocity = by_ratio ? speed_ratio_of(ratio_) * critical
-                                   : parse_quantity(velocity_, Dimension::velocity, {"--velocity"});
+  const double ratio = by_ratio ? speed_ratio_of(ratio_) : 1;
+  if (!(ratio > 0)) throw InputError({"--velocity-ratio"}, ratio_, "a ratio above 0");
+  const double velocity =
+      by_ratio ? ratio * critical : parse_quantity(velocity_, Dimension::velocity, {"--velocity"});
   if (!(velocity > 0 && std::isfinite(velocity)))
     throw InputError({by_ratio ? "--velocity-ratio" : "--velocity"},
                      "a speed of " + rounded(velocity, "m/s"), "a finite speed above 0");

@@ -306,9 +306,11 @@ TypedNumber parse_typed(std::string_view text, Dimension dimension, const Place&
                      describe(dimension));
   const std::string_view unit = trimmed(whole.substr(number.length), " \t");
   TypedNumber typed{*number.value, {}, unit.empty()};
-  if (!unit.empty())
+  if (!unit.empty()) {
     typed = convert(*number.value, decimal_of(whole.substr(0, number.length)), unit, dimension,
                     place, whole);
+    typed.text = whole;
+  }
   if (!std::isfinite(typed.value))
     throw InputError(place, fmt::format("\"{}\", which is not finite", text), describe(dimension));
   return typed;

@@ -42,7 +42,8 @@ struct TypedNumber {
   double value = 0;  ///< in SI, the double nearest to it
   /// "1e-7", exactly; empty for bare numbers, and where it is no short decimal one (rpm).
   std::string decimal = {};
-  bool is_bare = false;  ///< without a unit
+  bool is_bare = false;   ///< without a unit
+  std::string text = {};  ///< "0.1 um", as it was typed; empty for bare numbers
 };
 TypedNumber parse_typed(std::string_view text, Dimension dimension, const Place& place);
 

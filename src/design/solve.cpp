@@ -55,7 +55,7 @@ class Solving {
                        "a finite speed above 0");
     for (const auto& [end, name] : {std::pair(question.from, "from"), {question.to, "to"}})
       if (end && !(*end > 0))
-        throw InputError(argument(name), fmt::format("{} {}", *end, unit_of(question.sought)),
+        throw InputError(argument(name), rounded(*end, unit_of(question.sought), all_digits),
                          "a number above 0");
     const int samples = samples_of(question);
     if (samples < 3 || samples > most_samples)

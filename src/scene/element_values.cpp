@@ -197,7 +197,7 @@ void ElementValues::read_entry(const Symbol& entry, const ElementUse& use, const
 }
 
 void ElementValues::put(const Symbol& symbol, const TypedNumber& number, const Place& place) {
-  values_[symbol] = checked(number.value, nonnegative, to_text(as_called(scene_, symbol)), place);
+  values_[symbol] = checked(number, nonnegative, to_text(as_called(scene_, symbol)), place);
   scene_.typed[symbol] = number;
 }
 

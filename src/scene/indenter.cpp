@@ -63,18 +63,18 @@ Indenter read_indenter(const document::Section& section, const std::filesystem::
                      "file of a profile, as \"tip.csv\"");
   const std::string name = section.text("shape");
   const Form& form = form_named(name);
+  Indenter indenter{form.shape, {}, {}};
+  if (form.shape == Shape::table)  // before its keys: the word may be no file, but a shape unknown
+    indenter.profile = read_profile(folder / name, section.place("shape"));
   std::vector<std::string> keys{"shape"};
   for (const Size& size : form.sizes) keys.emplace_back(size.key);
   for (const std::string& key : document::keys_of("indenter"))
     if (section.find(key) != nullptr && std::find(keys.begin(), keys.end(), key) == keys.end())
       throw InputError(section.place(key), fmt::format("{} beside shape = \"{}\"", key, name),
                        fmt::format("for {} no keys but {}", form.name, fmt::join(keys, ", ")));
-  Indenter indenter{form.shape, {}, {}};
   for (const Size& size : form.sizes)
     indenter.sizes.push_back(
         quantities.read(section, size.key, size.key, size.dimension, *size.range));
-  if (form.shape == Shape::table)
-    indenter.profile = read_profile(folder / name, section.place("shape"));
   return indenter;
 }
 

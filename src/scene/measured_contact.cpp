@@ -23,7 +23,7 @@ std::optional<TypedNumber> given_rest(const document::Section& contact) {
   const toml::node* node = contact.find(rest_key);
   if (node == nullptr) return std::nullopt;
   const auto given = number(*node, Dimension::stiffness, rest_key, contact.place(rest_key));
-  if (given) checked(given->value, positive, rest_key, contact.place(rest_key));
+  if (given) checked(*given, positive, rest_key, contact.place(rest_key));
   return given;
 }
 

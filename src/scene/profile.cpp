@@ -7,6 +7,7 @@
 
 #include "base/csv.hpp"
 #include "base/files.hpp"
+#include "base/identifiers.hpp"
 #include "scene/members.hpp"
 
 namespace vcrit {
@@ -40,6 +41,15 @@ void refuse_too_few(const Profile& profile, const Place& place) {
                      "at least two rows: the tip and the outer radius");
 }
 
+/// The shape that is meant by a word in place of a file.
+std::string advice_on_shape(const std::string& word) {
+  for (const char* round : {"sphere", "spherical", "ball", "hertz", "round"})
+    if (word == round)
+      return "close to the contact a sphere is a parabola of its radius: shape = \"parabola\"";
+  const auto meant = nearest(word, {"flat", "cone", "parabola", "power"});
+  return meant ? fmt::format("did you mean \"{}\"?", *meant) : "";
+}
+
 }  // namespace
 
 Profile read_profile(const std::string& file, const Place& place) {
@@ -47,7 +57,8 @@ Profile read_profile(const std::string& file, const Place& place) {
     throw InputError(
         place, fmt::format("shape = \"{}\", which is no file", file),
         fmt::format("flat, cone, parabola, power, or a table in CSV with the header {}",
-                    profile_header));
+                    profile_header),
+        advice_on_shape(std::filesystem::path(file).filename()));
   return parse_profile(read_file(file), file);
 }
 

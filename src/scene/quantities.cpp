@@ -110,14 +110,14 @@ void Quantities::read_value(Quantity& quantity, const document::Section& section
   // Where both are one name, a setting of it is one number.
   for (const std::string& either : std::set<std::string>{setting, name})
     if (const auto value = settings_.take(either, dimension, symbol)) {
-      quantity.value = checked(value->value, range, either, OverridingValues::place(either));
+      quantity.value = checked(*value, range, either, OverridingValues::place(either));
       note(symbol, key, *value, {});
       compare(key, *value, node, dimension);
     }
   if (node == nullptr || given) return;
   const auto value = number(*node, dimension, key, section.place(key));
   if (!value) return;
-  checked(value->value, range, key, section.place(key));
+  checked(*value, range, key, section.place(key));
   if (quantity.value) return;
   quantity.value = value->value;
   note(symbol, key, *value, section.place(key));

@@ -16,9 +16,15 @@ const Range poisson_range{[](double v) { return v > -1 && v <= 0.5; },
 const Range slope_range{[](double v) { return v > 0 && v < pi / 2; },
                         "an angle between 0 and 90 deg"};
 
+double checked(const TypedNumber& number, const Range& range, const std::string& name,
+               const Place& place) {
+  if (range.holds(number.value)) return number.value;
+  const std::string typed = number.text.empty() ? fmt::format("{}", number.value) : number.text;
+  throw InputError(place, fmt::format("{} = {}", name, typed), range.expected);
+}
+
 double checked(double value, const Range& range, const std::string& name, const Place& place) {
-  if (range.holds(value)) return value;
-  throw InputError(place, fmt::format("{} = {}", name, value), range.expected);
+  return checked(TypedNumber{value}, range, name, place);
 }
 
 }  // namespace vcrit

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/errors.hpp"
+#include "base/units.hpp"
 
 namespace vcrit {
 
@@ -16,5 +17,8 @@ extern const Range nonnegative, positive, poisson_range, slope_range;
 
 /// The value. Throws InputError, with `name`, where it is out of range.
 double checked(double value, const Range& range, const std::string& name, const Place& place);
+/// The same of a number that was typed, which the message has as it was.
+double checked(const TypedNumber& number, const Range& range, const std::string& name,
+               const Place& place);
 
 }  // namespace vcrit

@@ -12,7 +12,7 @@ void read_realisation_keys(const document::Section& drive, Receptance& receptanc
     const auto given = number(*node, Dimension::compliance, "static_compliance", place);
     if (!given)
       throw InputError(place, document::describe_node(*node), "a compliance: \"0.08 um/N\"");
-    receptance.static_compliance = checked(given->value, positive, "static_compliance", place);
+    receptance.static_compliance = checked(*given, positive, "static_compliance", place);
   }
   if (const toml::node* node = drive.find("order")) {
     const auto given = node->value_exact<std::int64_t>();

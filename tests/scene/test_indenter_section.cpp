@@ -133,14 +133,16 @@ BOOST_AUTO_TEST_CASE(a_table_is_read) {
 }
 
 BOOST_AUTO_TEST_CASE(wrong_indenters) {
-  BOOST_TEST(
-      indenter_message("shape = \"sphere\"\nradius = 1\n") ==
-      "s.toml:15:10: found radius beside shape = \"sphere\"; expected for a table no keys but "
-      "shape");
-  BOOST_TEST(indenter_message("shape = \"sphere\"\n")
-                 .ends_with("found shape = \"sphere\", which is no file; expected flat, cone, "
-                            "parabola, power, or a table "
-                            "in CSV with the header r,f"));
+  const std::string expected =
+      ", which is no file; expected flat, cone, parabola, power, or a table "
+      "in CSV with the header r,f";
+  BOOST_TEST(indenter_message("shape = \"sphere\"\nradius = 1\n")
+                 .ends_with("sphere\"" + expected +
+                            "; close to the contact a sphere is a parabola of its radius: shape = "
+                            "\"parabola\""));
+  BOOST_TEST(indenter_message("shape = \"parabla\"\nradius = 1\n")
+                 .ends_with("parabla\"" + expected + "; did you mean \"parabola\"?"));
+  BOOST_TEST(indenter_message("shape = \"tip.csv\"\n").ends_with("tip.csv\"" + expected));
   BOOST_TEST(
       indenter_message("shape = \"cone\"\nradius = 1\n") ==
       "s.toml:15:10: found radius beside shape = \"cone\"; expected for cone no keys but shape, "
