@@ -35,6 +35,9 @@ void add_sweep(CLI::App& program, std::function<void(const SweepOptions&)> run) 
   command->add_option("--out", options->out,
                       "FILE.csv, or FILE.h5 or .nc (HDF5 by the conventions of netCDF-4), in SI "
                       "units; - for CSV on stdout, without it a table");
+  command->add_flag(
+      "--units", options->units,
+      "units in the header of CSV, as netCDF and the table have them: frequency [Hz]");
   command->add_flag("--resume", options->stream.resume, "continue the unfinished FILE.part");
   command
       ->add_option("--threads", options->stream.threads,

@@ -21,7 +21,7 @@ struct SweepOptions {
   std::vector<std::string> quantities;
   std::string velocity, velocity_ratio, out;
   maps::StreamOptions stream;
-  bool json = false;
+  bool units = false, json = false;
 };
 
 /// Registers the command; `run` is its callback.

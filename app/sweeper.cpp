@@ -18,6 +18,7 @@
 #include "base/numbers.hpp"
 #include "base/rounded.hpp"
 #include "base/units.hpp"
+#include "maps/csv_map.hpp"
 #include "problem/variants.hpp"
 #include "program.hpp"
 #include "record/fields.hpp"
@@ -77,7 +78,7 @@ Sweep sweep_of(const SweepOptions& options) {
   const auto frequency = [&](const Problem& problem) {
     return varies_frequency(options.over, problem) ? Frequency::varied : Frequency::of_the_scene;
   };
-  Sweep sweep{options.scene.read(frequency), {}, {}, {}, {}};
+  Sweep sweep{options.scene.read(frequency), {}, {}, {}, {}, options.units};
   for (const std::string& axis : options.over)
     sweep.axes.push_back(parse_axis(axis, sweep.problem));
   warn_of_axes(sweep);
@@ -150,22 +151,6 @@ void require_file(const SweepOptions& options, std::size_t rows, const maps::Ran
                      "FILE.csv, FILE.h5 or FILE.nc");
 }
 
-std::string heading(const std::string& name, const std::string& unit) {
-  return unit.empty() || unit == "1" ? name : fmt::format("{} [{}]", name, unit);
-}
-
-struct TableColumn {
-  std::string name, unit;  // SI
-};
-
-std::vector<TableColumn> columns_of(const Sweep& sweep) {
-  std::vector<TableColumn> all;
-  for (const Axis& axis : sweep.axes) all.push_back({axis.name, si_unit(axis.dimension)});
-  for (const SweptQuantity& quantity : sweep.quantities)
-    all.push_back({column_name(quantity), unit(quantity)});
-  return all;
-}
-
 double table_value(const SweptTable& table, std::size_t row, std::size_t column) {
   return table.values[row * table.columns.size() + column];
 }
@@ -177,11 +162,10 @@ std::optional<std::string> word_in(const Sweep& sweep, std::size_t column, doubl
   return word_of(sweep.quantities[column - axes], value);
 }
 
-/// As a file has it: names alone above, all digits in SI units.
+/// As a file has it: all digits in SI units.
 void print_csv(const Sweep& sweep, const SweptTable& table) {
-  std::vector<std::string> cells;
-  for (const TableColumn& column : columns_of(sweep)) cells.push_back(column.name);
-  fmt::print("{}\n", fmt::join(cells, ","));
+  fmt::print("{}", maps::csv_header(sweep));
+  std::vector<std::string> cells(table.columns.size());
   for (std::size_t row = 0; row < table.rows; ++row) {
     for (std::size_t column = 0; column < cells.size(); ++column) {
       const double value = table_value(table, row, column);
@@ -209,10 +193,10 @@ std::size_t count_characters(const std::string& text) {
 /// For people: each column in one unit, numbers in four digits.
 void print_table(const Sweep& sweep, const SweptTable& table) {
   std::vector<std::vector<std::string>> lines(table.rows + 1);
-  for (const TableColumn& column : columns_of(sweep)) {
+  for (const SweptColumn& column : swept_columns(sweep)) {
     const std::size_t at = lines.front().size();
     const UnitScale scale = scale_of_column(table, at, column.unit);
-    lines.front().push_back(heading(column.name, scale.unit));
+    lines.front().push_back(column_heading(column.name, scale.unit));
     for (std::size_t row = 0; row < table.rows; ++row) {
       const double value = table_value(table, row, at);
       const std::string number = std::isnan(value) ? "nan" : rounded(value * scale.factor, "");

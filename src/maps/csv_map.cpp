@@ -58,8 +58,8 @@ const fs::path& of_one_process(const fs::path& file, const Ranks& ranks) {
 
 std::string csv_header(const Sweep& sweep) {
   std::vector<std::string> columns;
-  for (const Axis& axis : sweep.axes) columns.push_back(axis.name);
-  for (const SweptQuantity& quantity : sweep.quantities) columns.push_back(column_name(quantity));
+  for (const auto& [name, unit] : swept_columns(sweep))
+    columns.push_back(sweep.units_in_header ? column_heading(name, unit) : name);
   return fmt::format("{}\n", fmt::join(columns, ","));
 }
 
@@ -72,12 +72,18 @@ CsvMap::CsvMap(const Sweeping& sweeping, const fs::path& file, bool resume, cons
   part_.is_there() ? go_on() : begin();
 }
 
+// With a header that has units: the rows below it belong to it.
+std::string CsvMap::sweep_of_part() const {
+  const Sweep& sweep = sweeping_.sweep();
+  return signature(sweep) + (sweep.units_in_header ? csv_header(sweep) : "");
+}
+
 void CsvMap::begin() {
   std::error_code error;
   fs::remove(sweep_file_, error);  // or what somebody has linked there would be written over
   // Whole before the part is there: whatever has that name can be gone on with.
   open(sweep_file_, std::ios::out);
-  append(signature(sweeping_.sweep()));
+  append(sweep_of_part());
   out_.close();
   open(path_, std::ios::out);
   append(csv_header(sweeping_.sweep()));
@@ -85,9 +91,9 @@ void CsvMap::begin() {
 
 void CsvMap::go_on() {
   const std::string header = csv_header(sweeping_.sweep());
-  if (!fs::exists(sweep_file_) || read_file(sweep_file_) != signature(sweeping_.sweep()))
+  if (!fs::exists(sweep_file_) || read_file(sweep_file_) != sweep_of_part())
     throw InputError({path_.string()}, "the unfinished file of another sweep",
-                     "the same scene, axes and quantities");
+                     "the same scene, axes, quantities and header");
   const Whole whole = fs::file_size(path_) < header.size()
                           ? Whole{}
                           : whole_blocks(path_, sweeping_.grid(), header.size());

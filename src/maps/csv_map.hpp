@@ -22,6 +22,7 @@ class CsvMap : public MapFile {
   void discard() override;
 
  private:
+  std::string sweep_of_part() const;
   void begin();
   void go_on();
   void open(const std::filesystem::path& file, std::ios::openmode mode);
@@ -35,7 +36,7 @@ class CsvMap : public MapFile {
   std::map<std::size_t, std::string> early_;  // blocks before whose turn it is not yet
 };
 
-/// The header row.
+/// The header row: names, and units if the sweep asks for them.
 std::string csv_header(const Sweep& sweep);
 
 }  // namespace vcrit::maps

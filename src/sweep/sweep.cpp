@@ -9,10 +9,12 @@
 #include "answers/critical_onset.hpp"
 #include "answers/friction.hpp"
 #include "answers/under_load.hpp"
+#include "base/rounded.hpp"
 #include "critical/admissibility.hpp"
 #include "normal/mean_indentation.hpp"
 #include "problem/variation.hpp"
 #include "rules/rulebook.hpp"
+#include "sweep/refusals.hpp"
 
 namespace vcrit {
 
@@ -81,53 +83,29 @@ std::vector<std::string> names_of(const Grid& grid, const std::vector<std::size_
   return names;
 }
 
-void refuse_settings(const Sweep& sweep) {
-  for (const auto& [name, value] : sweep.problem->source->settings)
-    for (const Axis& axis : sweep.axes)
-      if (axis.name == name)
-        throw InputError(argument("over " + name), fmt::format("a setting of {} as well", name),
-                         "one of the two");
-}
-
-void refuse_speeds(const Sweep& sweep, const Grid& grid) {
-  const int speeds =
-      (grid.speed() ? 1 : 0) + (sweep.velocity ? 1 : 0) + (sweep.velocity_ratio ? 1 : 0);
-  if (speeds > 1 || (any_of(sweep, needs_motion) && speeds == 0))
-    throw InputError({"sweep"}, speeds == 0 ? "a friction ratio at no speed" : "several speeds",
-                     "velocity or velocity_ratio, as an axis (`over`) or as one value");
-  std::vector<double> values;
-  if (grid.speed()) values = grid.axes()[*grid.speed()].values;
-  for (const auto& speed : {sweep.velocity, sweep.velocity_ratio})
-    if (speed) values.push_back(*speed);
-  for (const double value : values)
-    if (!(value > 0 && std::isfinite(value)))
-      throw InputError({"sweep"}, fmt::format("a speed of {}", value), "finite speeds above 0");
-}
-
-// Quantities and axes are columns of one table, variables of one file.
-void refuse_repetition(const Sweep& sweep) {
-  for (auto q = sweep.quantities.begin(); q != sweep.quantities.end(); ++q) {
-    const std::string name = column_name(*q);
-    if (std::find(sweep.quantities.begin(), q, *q) != q)
-      throw InputError(argument("quantity"), name + " twice", "each quantity once");
-    for (const Axis& axis : sweep.axes)
-      if (axis.name == name)
-        throw InputError(argument("over " + name), "an axis named like the quantity " + name,
-                         "another name of this element in the scene");
-  }
-}
-
 double found_indentation(const Problem& problem) {
   const double indentation = simulation::mean_indentation(problem);
   if (std::isfinite(indentation)) return indentation;
   throw ModelError("under its load the contact sinks for ever: it has no mean indentation");
 }
 
+void refuse_value(const Variation& varied, const Axis& axis, double value) {
+  try {
+    varied.refuse({&value, 1});
+  } catch (const InputError& error) {
+    if (!error.found().starts_with(axis.name + " = ")) throw;
+    const std::string number = rounded(value, axis.dimension, all_digits);
+    throw InputError(error.place(), fmt::format("{} = {}", axis.name, number), error.expected(),
+                     error.advice());
+  }
+}
+
 // Wrong values are found before the first block, however late their rows come.
 void refuse_axis_values(const Sweep& sweep, const Grid& grid) {
   for (const std::size_t a : parameters_of(grid)) {
-    const Variation varied(sweep.problem, {grid.axes()[a].name});
-    for (const double value : grid.axes()[a].values) varied.refuse({&value, 1});
+    const Axis& axis = grid.axes()[a];
+    const Variation varied(sweep.problem, {axis.name});
+    for (const double value : axis.values) refuse_value(varied, axis, value);
   }
 }
 
@@ -357,9 +335,9 @@ class Sweeping::Rows {
   BlockAnswer answer_;
 };
 
-Sweeping::Sweeping(const Sweep& sweep)
+Sweeping::Sweeping(const Sweep& sweep) try
     : sweep_({completed(sweep.problem, sweep.axes), sweep.axes, sweep.quantities, sweep.velocity,
-              sweep.velocity_ratio}),
+              sweep.velocity_ratio, sweep.units_in_header}),
       grid_(sweep_.axes, rows_at_once(sweep_), any_of(sweep_, needs_motion) ? speeds_at_once : 1),
       parameters_(parameters_of(grid_)),
       critical_(sweep_.problem, names_of(grid_, parameters_), grade_of(grid_)),
@@ -371,6 +349,8 @@ Sweeping::Sweeping(const Sweep& sweep)
   refuse_axis_values(sweep_, grid_);
   if (!leaves_out(sweep_) && !asked_one_by_one(sweep_.problem))
     closed_.emplace(sweep_.problem, names_of(grid_, parameters_));
+} catch (const InputError& error) {
+  refuse_as_of_axis(sweep, error);
 }
 
 Sweeping::Varying::Varying(const Problem& problem, const Grid& grid,

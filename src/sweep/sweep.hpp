@@ -21,6 +21,7 @@ struct Sweep {
   std::vector<SweptQuantity> quantities;
   std::optional<double> velocity;        ///< of the drive, m/s, for motion without such an axis
   std::optional<double> velocity_ratio;  ///< the same in units of v*
+  bool units_in_header = false;          ///< of a table in a file: "frequency [Hz]"
 };
 
 /// The quantities in one block, row by row.
@@ -63,6 +64,15 @@ class Sweeping {
   Varying amplitude_, pressing_;
   std::optional<ClosedShare> closed_;  // unless elements of the normal network vanish on the way
 };
+
+/// A column of its table: an axis or a quantity.
+struct SweptColumn {
+  std::string name, unit;  ///< SI; "" or "1" where there is none
+};
+std::vector<SweptColumn> swept_columns(const Sweep& sweep);
+
+/// "frequency [Hz]", or the name alone where there is no unit.
+std::string column_heading(const std::string& name, const std::string& unit);
 
 struct SweptTable {
   std::vector<std::string> columns;  ///< axes, then quantities

@@ -1,4 +1,5 @@
 // A sweep as one table in memory.
+#include <fmt/core.h>
 #include <tbb/parallel_for.h>
 
 #include <atomic>
@@ -7,6 +8,7 @@
 #include <future>
 
 #include "base/interruption.hpp"
+#include "base/units.hpp"
 #include "sweep/sweep.hpp"
 
 namespace vcrit {
@@ -53,15 +55,25 @@ std::vector<BlockAnswer> answers_of(const Sweeping& sweeping) {
 
 }  // namespace
 
+std::vector<SweptColumn> swept_columns(const Sweep& sweep) {
+  std::vector<SweptColumn> all;
+  for (const Axis& axis : sweep.axes) all.push_back({axis.name, si_unit(axis.dimension)});
+  for (const SweptQuantity& quantity : sweep.quantities)
+    all.push_back({column_name(quantity), unit(quantity)});
+  return all;
+}
+
+std::string column_heading(const std::string& name, const std::string& unit) {
+  return unit.empty() || unit == "1" ? name : fmt::format("{} [{}]", name, unit);
+}
+
 SweptTable swept(const Sweep& sweep) {
   const Sweeping sweeping(sweep);
   const Grid& grid = sweeping.grid();
   const std::vector<BlockAnswer> answers = answers_of(sweeping);
   SweptTable table;
   table.rows = grid.rows();
-  for (const Axis& axis : grid.axes()) table.columns.push_back(axis.name);
-  for (const SweptQuantity& quantity : sweep.quantities)
-    table.columns.push_back(column_name(quantity));
+  for (const SweptColumn& column : swept_columns(sweep)) table.columns.push_back(column.name);
   for (const BlockAnswer& answer : answers) {
     const Block block = grid.block(answer.block);
     for (std::size_t row = 0; row < block.rows; ++row) {

@@ -1,14 +1,14 @@
 """What the program says to people: few digits and units, the same sentence everywhere, help where it is asked for, the command
 or option that was meant, colour on a terminal for what is wrong alone."""
 
+import csv
 import os
-import pty
 import unittest
 from pathlib import Path
 
 import mpmath
 
-from program import PROGRAM, PROJECT, Case, example
+from program import PROJECT, Case, example
 
 ZENER = example("zener")
 
@@ -27,23 +27,6 @@ def shares():
         return p["omega"] * p["mu0"] * p["du_z"] * abs(normal) * abs(receptance)
 
     return {name: mpmath.diff(lambda x, name=name: velocity(at | {name: x}), value) * value / velocity(at) for name, value in at.items()}
-
-
-def on_terminal(*arguments, **environment):
-    """What a terminal of this kind gets to see."""
-    child, terminal = pty.fork()
-    if child == 0:
-        kept = {name: value for name, value in os.environ.items() if name not in ("NO_COLOR", "TERM")}
-        os.execve(PROGRAM, [PROGRAM, *arguments], kept | environment)
-    seen = b""
-    try:
-        while piece := os.read(terminal, 65536):
-            seen += piece
-    except OSError:  # how Linux says that the other end is closed
-        pass
-    os.waitpid(child, 0)
-    os.close(terminal)
-    return seen.decode()
 
 
 class Numbers(Case):
@@ -138,6 +121,19 @@ class Tables(Case):
         self.out(*self.SWEEP, "--out", "table.csv")
         self.assertEqual(self.out(*self.SWEEP, "--out", "-"), (self.folder / "table.csv").read_text())
 
+    # Read by Python's csv. 20 kHz, 0.1 um: 4.0948415037544174 mm/s.
+    def test_units_in_the_header_if_asked_for(self):
+        sweep = ["sweep", ZENER, "--over", "velocity_ratio=lin:0.5:1.5:2", "--over", "frequency=lin:20 kHz:40 kHz:2",
+                 "--quantity", "critical_velocity", "regime", "sensitivity:mu0", "--out"]
+        self.out(*sweep, "names.csv")
+        self.out(*sweep, "units.csv", "--units")
+        names, units = ([*csv.reader((self.folder / name).read_text().splitlines())] for name in ("names.csv", "units.csv"))
+        self.assertEqual(names[0], ["velocity_ratio", "frequency", "critical_velocity", "regime", "sensitivity_mu0"])
+        self.assertEqual(units[0], ["velocity_ratio", "frequency [Hz]", "critical_velocity [m/s]", "regime", "sensitivity_mu0"])
+        self.assertEqual((names[1:], len(names)), (units[1:], 5))
+        self.assertAlmostEqual(float(units[1][2]), 4.0948415037544174e-3, delta=1e-17)
+        self.assertEqual(self.out(*sweep, "-", "--units"), (self.folder / "units.csv").read_text())
+
     def test_maps_need_a_file(self):
         self.refused(2, [*self.SWEEP[:3], "velocity=lin:1:2:100001", *self.SWEEP[4:]], "no file with so many rows")
         self.refused(2, [*self.SWEEP, "--resume"], "no file with --resume")
@@ -156,8 +152,37 @@ class Tables(Case):
         self.refused(2, [*self.SWEEP[:5], "regime,friction_ratio"], 'found "regime,friction_ratio"',
                      "several stand apart, without commas: regime friction_ratio")
 
+    def test_values_of_an_axis_are_named_by_it(self):
+        def refused(axis, *words, more=("--quantity", "critical_velocity")):
+            self.assertNotIn("--set", self.refused(2, ["sweep", ZENER, "--over", axis, *more], *words))
+        refused("poisson=lin:0.1:0.7:3", "--over poisson: found poisson = 0.7; expected")
+        refused("k0=lin:-1 N/um:2 N/um:3", "--over k0: found k0 = -1 N/µm; expected")
+        refused("frequency=lin:-1 kHz:2 kHz:3", "--over frequency: found frequency = -1 kHz; expected")
+        refused("frequency=lin:1 kHz:2 kHz:3", "--over", "frequency", "angular_frequency",
+                more=["--over", "angular_frequency=lin:1:2:2", "--quantity", "critical_velocity"])
+        friction = ["--quantity", "friction_ratio"]
+        refused("velocity=lin:-1 mm/s:2 mm/s:3", "--over velocity: found a speed of -1 mm/s", more=friction)
+        refused("velocity_ratio=lin:-1:2:3", "--over velocity_ratio: found a speed of -1 v*", more=friction)
+        refused("k0=lin:1:2:3", "--velocity: found a speed of -2 mm/s", more=["--velocity", "-2 mm/s", *friction])
+
     def test_an_axis_may_have_been_meant(self):
         self.refused(2, ["sweep", ZENER, "--over", "freq=lin:1:2:3", "--quantity", "critical_velocity"], 'expected "frequency"')
+
+
+class Values(Case):
+    def test_out_of_range_are_repeated_as_they_were_typed(self):
+        for name, typed in (("amplitude", "-0.1 um"), ("k0", "-8 N/um"), ("mass", "-5 g"), ("frequency", "0 kHz")):
+            self.refused(2, ["eval", ZENER, "--set", f"{name}={typed}"], f"--set {name}: found {name} = {typed}; expected a finite value")
+        scene = self.write(Path(ZENER).read_text().replace('"0.1 um"', '"-0.1 um"').replace('"8 N/um"', '"-8 N/um"'))
+        told = self.run_program("check", scene)
+        for words in ("amplitude = -0.1 um", "k0 = -8 N/um"):
+            self.assertIn(words, told.stdout)
+        self.refused(2, ["eval", ZENER, "--set", "amplitude=-1e-7"], "amplitude = -1e-07; expected")  # a double, in SI
+
+    def test_of_options_too(self):
+        solve = ["solve", ZENER, "--for", "amplitude", "--friction-ratio", "0.5", "--velocity", "2 mm/s"]
+        self.refused(2, [*solve, "--from", "-1 um"], "--from: found -1 µm; expected a number above 0")
+        self.refused(2, ["simulate", ZENER, "--velocity-ratio", "-0.5"], "--velocity-ratio: found -0.5; expected a ratio above 0")
 
 
 class Help(Case):
@@ -228,18 +253,18 @@ class Networks(Case):
         self.assertNotIn("write", message)
 
 
-class Colour(unittest.TestCase):
+class Colour(Case):
     RED = "\x1b[31m"
 
     def test_what_is_wrong_is_red(self):
         for arguments in (["eval", "absent.toml"], ["eval", example("inadmissible")], ["evl"]):
-            self.assertIn(self.RED, on_terminal(*arguments, TERM="xterm"), arguments)
+            self.assertIn(self.RED, self.on_terminal(*arguments, with_errors=True, TERM="xterm"), arguments)
             for environment in ({"TERM": "dumb"}, {"TERM": "xterm", "NO_COLOR": "1"}, {}):
-                self.assertNotIn("\x1b", on_terminal(*arguments, **environment), arguments)
-        self.assertIn(self.RED, on_terminal("eval", "absent.toml", TERM="xterm", NO_COLOR=""))
+                self.assertNotIn("\x1b", self.on_terminal(*arguments, with_errors=True, **environment), arguments)
+        self.assertIn(self.RED, self.on_terminal("eval", "absent.toml", with_errors=True, TERM="xterm", NO_COLOR=""))
 
     def test_nothing_else_is(self):
-        self.assertNotIn("\x1b", on_terminal("eval", ZENER, TERM="xterm"))
+        self.assertNotIn("\x1b", self.on_terminal("eval", ZENER, TERM="xterm"))
 
 
 class Pipes(Case):

@@ -211,6 +211,21 @@ BOOST_AUTO_TEST_CASE(another_sweep_is_refused) {
   }
 }
 
+// Rows that were begun below names do not go on below names and units. Arrays have units anyway.
+BOOST_AUTO_TEST_CASE(another_header_is_another_table) {
+  const test::PrivateFolder folder;
+  Sweep names = motion_map(), units = names;
+  units.units_in_header = true;
+  const fs::path table = folder.path() / "map.csv", array = folder.path() / "map.h5";
+  for (const auto& [begun, other] : {std::pair(names, units), {units, names}}) {
+    BOOST_CHECK_THROW(streamed(begun, table, false, 1), std::runtime_error);
+    BOOST_TEST(has(message([&] { streamed(other, table, true); }), "and header"));
+    streamed(begun, table, true);
+  }
+  BOOST_CHECK_THROW(streamed(names, array, false, 1), std::runtime_error);
+  streamed(units, array, true);
+}
+
 // The table of a measured drive is no part of the scene's text.
 BOOST_AUTO_TEST_CASE(another_receptance_is_another_sweep) {
   const Sweep sweep =

@@ -119,10 +119,12 @@ class Case(unittest.TestCase):
         self.assertEqual(result.returncode, status, result.stderr)
         return result.stdout
 
-    def on_terminal(self, *arguments):
-        """What a terminal shows; nothing may go to standard error."""
+    def on_terminal(self, *arguments, with_errors=False, **environment):
+        """What a terminal of this kind (TERM, NO_COLOR) shows. Unless it shows errors too, there may be none."""
+        kept = {name: value for name, value in os.environ.items() if name not in ("NO_COLOR", "TERM")}
         ours, theirs = pty.openpty()
-        process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=theirs, stderr=subprocess.PIPE, cwd=self.folder)
+        process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=theirs, cwd=self.folder, env=kept | environment,
+                                   stderr=theirs if with_errors else subprocess.PIPE)
         os.close(theirs)
         shown = b""
         try:
@@ -131,7 +133,7 @@ class Case(unittest.TestCase):
         except OSError:  # the other end has gone
             pass
         os.close(ours)
-        self.assertEqual(process.communicate(timeout=PATIENCE), (None, b""))
+        self.assertEqual(process.communicate(timeout=PATIENCE), (None, None if with_errors else b""))
         return shown.decode().replace("\r", "")
 
     def answer(self, *arguments, status=0, **options):

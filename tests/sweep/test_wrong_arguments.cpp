@@ -34,9 +34,7 @@ using Columns = std::vector<Column>;
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-Problem shipped(const std::string& name) {
-  return read_problem(VCRIT_SCENES "/" + name + ".toml");
-}
+Problem shipped(const std::string& name) { return read_problem(VCRIT_SCENES "/" + name + ".toml"); }
 
 const std::vector<double> one{2e4}, two{2e4, 3e4};
 
@@ -96,7 +94,8 @@ BOOST_AUTO_TEST_CASE(sweeps) {
   };
   BOOST_TEST(refuses("over frequency: found an axis without values",
                      [](Sweep& sweep) { sweep.axes[0].values.clear(); }));
-  BOOST_TEST(refuses("a speed of inf", [](Sweep& sweep) { sweep.velocity = infinity; }));
+  BOOST_TEST(
+      refuses("velocity: found a speed of ∞", [](Sweep& sweep) { sweep.velocity = infinity; }));
   BOOST_TEST(refuses("symbol: found ; expected a symbol", [](Sweep& sweep) {
     sweep.quantities[0].kind = SweptQuantity::Kind::sensitivity;
   }));
@@ -130,8 +129,8 @@ BOOST_AUTO_TEST_CASE(graphs_made_by_hand) {
            refused([&] { load_carrying(graph); }, words);
   };
   BOOST_TEST(refuses("a graph of 0 nodes", [](Graph& graph) { graph.nodes.clear(); }));
-  BOOST_TEST(refuses("2 wires with 3 parts",
-                     [](Graph& graph) { graph.parts.push_back(graph.parts[0]); }));
+  BOOST_TEST(
+      refuses("2 wires with 3 parts", [](Graph& graph) { graph.parts.push_back(graph.parts[0]); }));
   BOOST_TEST(refuses("a wire from -1 to 2", [](Graph& graph) { graph.wires[0] = {-1, 2}; }));
   BOOST_TEST(refuses("a wire from 0 to 7", [](Graph& graph) { graph.wires[0] = {0, 7}; }));
 }
@@ -154,9 +153,9 @@ BOOST_AUTO_TEST_CASE(speeds_samples_and_cells) {
   for (const double velocity : {-1.0, 0.0, no_number, infinity})
     BOOST_TEST(refused([&] { simulation::mass_amplitudes(system, velocity); },
                        "expected a finite speed above 0"));
-  BOOST_TEST(refused(
-      [&] { simulation::steady_state(system, 1e-3, simulation::Start::sliding, -1); },
-      "samples: found -1 points"));
+  BOOST_TEST(
+      refused([&] { simulation::steady_state(system, 1e-3, simulation::Start::sliding, -1); },
+              "samples: found -1 points"));
   const indenter::HalfSpace sphere(shipped("sphere"));
   BOOST_TEST(refused([&] { sphere.cell_under(infinity); }, "a mean indentation of ∞ there"));
 }

@@ -1,0 +1,63 @@
+#include "sweep/refusals.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/rounded.hpp"
+
+namespace vcrit {
+
+void refuse_settings(const Sweep& sweep) {
+  for (const auto& [name, value] : sweep.problem->source->settings)
+    for (const Axis& axis : sweep.axes)
+      if (axis.name == name)
+        throw InputError(argument("over " + name), fmt::format("a setting of {} as well", name),
+                         "one of the two");
+}
+
+void refuse_speeds(const Sweep& sweep, const Grid& grid) {
+  const int speeds =
+      (grid.speed() ? 1 : 0) + (sweep.velocity ? 1 : 0) + (sweep.velocity_ratio ? 1 : 0);
+  if (speeds > 1 || (std::ranges::any_of(sweep.quantities, needs_motion) && speeds == 0))
+    throw InputError({"sweep"}, speeds == 0 ? "a friction ratio at no speed" : "several speeds",
+                     "velocity or velocity_ratio, as an axis (`over`) or as one value");
+  const auto refuse = [](double value, bool ratio, const Place& place) {
+    if (!(value > 0 && std::isfinite(value)))
+      throw InputError(place,
+                       "a speed of " + (ratio ? rounded(value, "", all_digits) + " v*"
+                                              : rounded(value, "m/s", all_digits)),
+                       "finite speeds above 0");
+  };
+  if (grid.speed()) {
+    const Axis& axis = grid.axes()[*grid.speed()];
+    for (const double value : axis.values)
+      refuse(value, axis.dimension == Dimension::none, argument("over " + axis.name));
+  }
+  if (sweep.velocity) refuse(*sweep.velocity, false, argument("velocity"));
+  if (sweep.velocity_ratio) refuse(*sweep.velocity_ratio, true, argument("velocity_ratio"));
+}
+
+// Quantities and axes are columns of one table, variables of one file.
+void refuse_repetition(const Sweep& sweep) {
+  for (auto q = sweep.quantities.begin(); q != sweep.quantities.end(); ++q) {
+    const std::string name = column_name(*q);
+    if (std::find(sweep.quantities.begin(), q, *q) != q)
+      throw InputError(argument("quantity"), name + " twice", "each quantity once");
+    for (const Axis& axis : sweep.axes)
+      if (axis.name == name)
+        throw InputError(argument("over " + name), "an axis named like the quantity " + name,
+                         "another name of this element in the scene");
+  }
+}
+
+void refuse_as_of_axis(const Sweep& sweep, const InputError& error) {
+  for (const Axis& axis : sweep.axes)
+    if (error.place().argument == "set " + axis.name)
+      throw InputError(argument("over " + axis.name), error.found(), error.expected(),
+                       error.advice());
+  throw;
+}
+
+}  // namespace vcrit
