@@ -116,7 +116,7 @@ class Browser(unittest.TestCase):
             const of = (mi, name) => getComputedStyle(mi)[name];
             return [all.length, shown.length, all.filter((mi) => of(mi, 'textTransform') !== 'none').length,
                     all.filter((mi) => (of(mi, 'fontStyle') === 'italic') !== /^[^\P{L}Δ]$/u.test(mi.textContent)).map((mi) => mi.outerHTML)]"""
-        scrolled = """return [...document.querySelectorAll('.equation')].filter((e) =>
+        scrolled = """return [...document.querySelectorAll('.scroll')].filter((e) =>
             e.scrollHeight > e.clientHeight && getComputedStyle(e).overflowY !== 'hidden' ||
             e.scrollWidth > e.clientWidth && e.scrollWidth < e.clientWidth + 3).map((e) => e.textContent)"""
         pages = {"document": ["scenes/prony.toml", "--format", "html"], "material": ["scenes/prony.toml", "--material"], "catalogue": ["--catalogue"]}
@@ -130,6 +130,10 @@ class Browser(unittest.TestCase):
                 self.assertEqual(self.run_script(scrolled), [], "a formula has a scroll bar for nothing")
                 self.assertGreater(found, 3)
                 self.assertEqual((shown, transformed, of_other_style), (0, 0, []))
+        self.width(390)
+        for name in pages:
+            self.open(name)
+            self.assertLessEqual(self.run_script("return document.documentElement.scrollWidth"), 390, name)
 
     def test_a_phone_shows_all_without_scrolling_sideways(self):
         self.width(390)
