@@ -24,9 +24,7 @@ Refusal first_refusal(Refusal one, const std::function<Refusal()>& other) {
 }
 
 Refusal no_motion(const Problem& problem) {
-  return refusal_by(
-      problem->indenter ? rules::Question::motion_below_indenter : rules::Question::motion,
-      problem);
+  return refusal_by(rules::motion_question(problem), problem);
 }
 
 // v* by Eq. 24, or simulated where that does not hold.

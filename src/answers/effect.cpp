@@ -26,8 +26,8 @@ using rules::Question;
 // The search for the depth at the largest amplitude begins at this share of that at rest.
 constexpr double least_share = 1e-3;
 
-Question motion_question(const Problem& problem) {
-  return problem->indenter ? Question::motion_below_indenter : Question::motion;
+bool cells_move(const Problem& problem) {
+  return rules::motion_question(problem) == Question::motion_below_indenter;
 }
 
 // Below an indenter u_z0 falls as the amplitude grows, since a rim that opens does not pull. At the
@@ -61,13 +61,13 @@ double largest_amplitude_under_load(const Problem& problem) {
 
 // The stiffness at omega is the force of an amplitude of 1 m.
 std::optional<double> largest_closed_amplitude(const Problem& problem) {
-  const bool pressed_tip = problem->load && problem->indenter;
+  const bool falls = rules::Facts(problem).depth_falls_with_amplitude();
   // At no amplitude, so that none is too large: what is left to say is of the scene's structure.
-  const Problem asked = pressed_tip ? problem.with({{problem->amplitude.symbol, 0.0}}) : problem;
+  const Problem asked = falls ? problem.with({{problem->amplitude.symbol, 0.0}}) : problem;
   if (!rules::answer(Question::mean_load, asked) ||
       !rules::answer(Question::closed_amplitude, asked))
     return std::nullopt;
-  if (pressed_tip) return largest_amplitude_under_load(problem);
+  if (falls) return largest_amplitude_under_load(problem);
   const rules::Facts facts(problem.with({{problem->amplitude.symbol, 1.0}}));
   const long double most = facts.mean_force() / facts.oscillating_force();
   return most > 0 ? std::optional(static_cast<double>(most)) : std::nullopt;
@@ -77,7 +77,7 @@ namespace {
 
 std::optional<double> mean_normal_force(const Problem& problem, const Effect& effect) {
   if (problem->load) return problem.value(*problem->load);
-  if (problem->indenter || (effect.opens && !rules::answer(Question::motion, problem)))
+  if (cells_move(problem) || (effect.opens && !rules::answer(Question::motion, problem)))
     return std::nullopt;
   if (!effect.opens) return static_cast<double>(rules::Facts(problem).mean_force());
   try {
@@ -101,7 +101,7 @@ void operating_point_of(const Problem& problem, Effect& effect) {
     effect.indentation = problem.value(problem->indentation);
   }
   effect.friction_coefficient = problem.value(problem->coefficient);
-  effect.below_indenter = problem->indenter.has_value();
+  effect.below_indenter = cells_move(problem);
   effect.largest_closed_amplitude = largest_closed_amplitude(problem);
   effect.opens = problem->separation && opens(problem);
 }
@@ -158,11 +158,11 @@ void lowest_of_contact(const Problem& problem, Effect& effect) {
 // On a path that creeps, friction at vanishing speed is that of creep, with or without vibration.
 void find_lowest(const Problem& problem, Effect& effect) {
   const bool lowers = effect.kind == Effect::Kind::lowers;
-  const rules::Answer moves = rules::answer(motion_question(problem), problem);
+  const rules::Answer moves = rules::answer(rules::motion_question(problem), problem);
   if (lowers && !moves) effect.why_no_lowest = moves.reason;
   if (!lowers || !moves || effect.creeps()) return;
   try {
-    if (problem->indenter)
+    if (cells_move(problem))
       lowest_below_indenter(problem, effect);
     else
       lowest_of_contact(problem, effect);

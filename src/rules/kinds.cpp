@@ -205,6 +205,8 @@ bool Facts::sinks() const {
   return problem_->load && !problem_->indenter && static_stiffness() == 0;
 }
 
+bool Facts::depth_falls_with_amplitude() const { return problem_->load && problem_->indenter; }
+
 bool Facts::open_where_steepest() const {
   require(Question::normal_motion, problem_);
   if (oscillating_force() <=

@@ -64,6 +64,9 @@ class Facts {
   /// Whether the normal force would pull for a part of the period; below an indenter the pressure
   /// at its centre.
   bool opens() const { return oscillating_force() > mean_force(); }
+  /// Whether u_z0 falls as the amplitude grows, since the rim of an indenter that a load presses
+  /// opens and does not pull.
+  bool depth_falls_with_amplitude() const;
 
  private:
   long double static_stiffness() const;

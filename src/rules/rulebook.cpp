@@ -88,6 +88,10 @@ Answer answer(Question question, const Problem& problem) {
   return result;
 }
 
+Question motion_question(const Problem& problem) {
+  return problem->indenter ? Question::motion_below_indenter : Question::motion;
+}
+
 std::vector<std::string> reasons(Question question, const Problem& problem) {
   std::vector<std::string> all;
   for_each_refusal(question, Facts(problem), [&](const Answer& each) {

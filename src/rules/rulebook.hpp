@@ -49,8 +49,10 @@ struct Answer {
 
 /// Throws InputError for missing values where the answer depends on them.
 Answer answer(Question question, const Problem& problem);
-/// The same for one kind, whether or not the scene is of it: words that say numbers of the scene
-/// stay patterns. For tables and tests.
+/// Which of the two questions for a motion the scene has to be asked.
+Question motion_question(const Problem& problem);
+/// As answer() for one kind, whether or not the scene is of it: words that say numbers of the
+/// scene stay patterns. For tables and tests.
 Answer cell(Question question, SceneKind kind);
 
 /// All that stands against it.
