@@ -17,6 +17,7 @@
 #include "critical/critical_velocity.hpp"
 #include "critical/log_derivative.hpp"
 #include "indenter/friction.hpp"
+#include "modes/general_modes.hpp"
 #include "network/law.hpp"
 #include "network/masses.hpp"
 #include "problem/variants.hpp"
@@ -90,14 +91,16 @@ CriticalOnset by_formula(const Problem& problem) {
   return onset;
 }
 
-simulation::Onset sliding_threshold(const Problem& problem) {
+simulation::Onset sliding_threshold(const Problem& problem, simulation::KnownModes* known) {
   if (problem->indenter) return indenter::sliding_threshold(indenter::HalfSpace(problem));
-  return simulation::sliding_threshold(simulation::system_of(problem));
+  simulation::System system = simulation::system_of(problem);
+  system.known_modes = known;
+  return simulation::sliding_threshold(system);
 }
 
 // As quickly as it is found: below a measured drive without the error of the fit.
-CriticalOnset by_simulation(const Problem& problem) {
-  const simulation::Onset onset = sliding_threshold(problem);
+CriticalOnset by_simulation(const Problem& problem, simulation::KnownModes* known = nullptr) {
+  const simulation::Onset onset = sliding_threshold(problem, known);
   const bool by_phase = problem->indenter && !problem->rigid();
   CriticalOnset result{
       by_phase ? CriticalOnset::By::maximum_over_the_phase : CriticalOnset::By::simulation,
@@ -111,8 +114,8 @@ CriticalOnset by_simulation(const Problem& problem) {
   return result;
 }
 
-CriticalOnset found_onset(const Problem& problem) {
-  return holds_formula(problem) ? by_formula(problem) : by_simulation(problem);
+CriticalOnset found_onset(const Problem& problem, simulation::KnownModes* known) {
+  return holds_formula(problem) ? by_formula(problem) : by_simulation(problem, known);
 }
 
 // Digits of a simulated v* where its own estimate says nothing; a relative slope with an error
@@ -121,7 +124,8 @@ constexpr double usual_error = 1e-13, worst_slope_error = 1e-3;
 
 double simulated_log_derivative(const Problem& problem, const Symbol& symbol) {
   const std::string name = to_text(as_called(problem, symbol));
-  const CriticalOnset here = by_simulation(problem);
+  simulation::KnownModes known;
+  const CriticalOnset here = by_simulation(problem, &known);
   if (!(here.contact_velocity > 0 && std::isfinite(here.contact_velocity)))
     throw ModelError("v* is 0 or infinite, so that it has no relative sensitivity");
   const auto found = problem.values().find(symbol);
@@ -131,7 +135,7 @@ double simulated_log_derivative(const Problem& problem, const Symbol& symbol) {
   const auto log_velocity = [&](double logarithm) -> std::optional<double> {
     const double changed = value * std::exp(logarithm);
     try {
-      return std::log(found_onset(changing.at({&changed, 1})).contact_velocity);
+      return std::log(found_onset(changing.at({&changed, 1}), &known).contact_velocity);
     } catch (const ModelError&) {
       return std::nullopt;
     }
@@ -190,8 +194,8 @@ double sliding_share(const std::vector<int>& free_harmonics) {
   return least ? least->upper : std::numeric_limits<double>::quiet_NaN();
 }
 
-CriticalOnset critical_onset(const Problem& problem) {
-  CriticalOnset onset = found_onset(problem);
+CriticalOnset critical_onset(const Problem& problem, simulation::KnownModes* known) {
+  CriticalOnset onset = found_onset(problem, known);
   if (onset.by == CriticalOnset::By::simulation && problem->receptance() != nullptr &&
       std::isfinite(onset.contact_velocity))
     onset.relative_error += realised_velocity(problem).difference / onset.contact_velocity;

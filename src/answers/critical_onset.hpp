@@ -10,6 +10,10 @@
 
 namespace vcrit {
 
+namespace simulation {
+class KnownModes;
+}
+
 struct CriticalOnset {
   /// The maximum over the phase of what sliding takes: below an indenter on a drive that gives.
   enum class By { formula, maximum_over_the_phase, simulation };
@@ -23,8 +27,8 @@ struct CriticalOnset {
   /// is not known; else v*.
   double sliding_from = 0;
   std::vector<int> free_harmonics = {};  ///< these n, increasing
-  /// Of a v* that is not Eq. (24): an estimate of what rounding takes, and below a measured drive of
-  /// what the structure fitted to its table may be off.
+  /// Of a v* that is not Eq. (24): an estimate of what rounding takes, and below a measured drive
+  /// of what the structure fitted to its table may be off.
   double relative_error = 0;
 };
 
@@ -39,8 +43,9 @@ std::vector<int> free_harmonics(const Problem& problem);
 /// not known.
 double sliding_share(const std::vector<int>& free_harmonics);
 
-/// Throws InputError for missing values, ModelError where v* is 0/0 and outside the model.
-CriticalOnset critical_onset(const Problem& problem);
+/// Of a drive with masses by the memory of modes, if there is one. Throws InputError for missing
+/// values, ModelError where v* is 0/0 and outside the model.
+CriticalOnset critical_onset(const Problem& problem, simulation::KnownModes* known = nullptr);
 
 /// v* alone, with its bound, NaN where it is simulated, and why it is infinite. Throws likewise.
 CertifiedVelocity certified_onset(const Problem& problem);

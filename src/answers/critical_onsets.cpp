@@ -11,6 +11,7 @@
 
 #include "answers/critical_onset.hpp"
 #include "critical/columns.hpp"
+#include "modes/general_modes.hpp"
 #include "problem/variation.hpp"
 #include "rules/rulebook.hpp"
 
@@ -87,7 +88,7 @@ class CriticalOnsets::Lanes {
     try {
       const Problem lane = problem();
       if (rules::answer(rules::Question::formula, lane)) return std::nullopt;
-      return critical_onset(lane).contact_velocity;
+      return critical_onset(lane, &known_modes_).contact_velocity;
     } catch (const ModelError&) {
       return std::numeric_limits<double>::quiet_NaN();
     }
@@ -95,6 +96,7 @@ class CriticalOnsets::Lanes {
 
   Columns columns_;
   Variation changing_;
+  simulation::KnownModes known_modes_;
   std::vector<double> values_;
   std::optional<std::vector<double>> answered_;  // values of the lane answered last
   std::optional<double> velocity_;               // and its v*

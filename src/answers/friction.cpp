@@ -7,20 +7,23 @@ namespace vcrit {
 namespace {
 
 std::variant<simulation::System, indenter::HalfSpace> motion_of(const Problem& problem,
-                                                               simulation::SharedEffort* effort) {
+                                                                simulation::SharedEffort* effort,
+                                                                simulation::KnownModes* known) {
   if (problem->indenter) {
     indenter::HalfSpace half_space(problem);
     return effort != nullptr ? half_space.within(*effort) : half_space;
   }
   simulation::System system = simulation::system_of(problem);
   if (effort != nullptr) system.effort = effort;
+  system.known_modes = known;
   return system;
 }
 
 }  // namespace
 
-SteadyFriction::SteadyFriction(const Problem& problem, simulation::SharedEffort* effort)
-    : motion_(motion_of(problem, effort)) {}
+SteadyFriction::SteadyFriction(const Problem& problem, simulation::SharedEffort* effort,
+                               simulation::KnownModes* known_modes)
+    : motion_(motion_of(problem, effort, known_modes)) {}
 
 simulation::SteadyState SteadyFriction::at(double velocity, simulation::Start start) const {
   if (const auto* half_space = std::get_if<indenter::HalfSpace>(&motion_))
@@ -34,8 +37,8 @@ void SteadyFriction::curve(
     double tolerance) const {
   if (const auto* system = std::get_if<simulation::System>(&motion_))
     return simulation::friction_curve(*system, velocities, use);
-  const auto points = indenter::friction_curve(std::get<indenter::HalfSpace>(motion_), velocities,
-                                               tolerance);
+  const auto points =
+      indenter::friction_curve(std::get<indenter::HalfSpace>(motion_), velocities, tolerance);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto state = points[i].friction
                            ? std::optional(indenter::steady_state_of(*points[i].friction))

@@ -17,9 +17,10 @@ namespace vcrit {
 
 class SteadyFriction {
  public:
-  /// Its searches share an effort that outlives it, if there is one. Throws InputError for missing
-  /// values, ModelError where the scene has no motion that is known.
-  explicit SteadyFriction(const Problem& problem, simulation::SharedEffort* effort = nullptr);
+  /// Its searches share an effort and a memory of modes that outlive it, if there are any. Throws
+  /// InputError for missing values, ModelError where the scene has no motion that is known.
+  explicit SteadyFriction(const Problem& problem, simulation::SharedEffort* effort = nullptr,
+                          simulation::KnownModes* known_modes = nullptr);
 
   /// At one velocity of the drive, m/s, > 0. Below an indenter: of the whole contact, without
   /// events, compared from rest and from sliding. Throws ModelError where no steady state is found.

@@ -14,6 +14,7 @@
 #include "design/first_reach.hpp"
 #include "design/opening.hpp"
 #include "design/range.hpp"
+#include "modes/general_modes.hpp"
 #include "rules/rulebook.hpp"
 
 namespace vcrit::design {
@@ -110,7 +111,7 @@ class Solving {
   }
 
   simulation::SteadyState state_at(double value) const {
-    return SteadyFriction(problem_at(value), &effort_).at(velocity_at(value));
+    return SteadyFriction(problem_at(value), &effort_, &known_modes_).at(velocity_at(value));
   }
 
   std::optional<double> ratio(double value) const {
@@ -179,6 +180,7 @@ class Solving {
   int evaluations_ = 0, unanswered_ = 0;
   mutable std::string first_reason_;
   mutable simulation::SharedEffort effort_{effort_of(question_)};
+  mutable simulation::KnownModes known_modes_;
 };
 
 }  // namespace

@@ -41,6 +41,8 @@ WideMatrix wide_matrix(const Dense<long double>& a) {
   return result;
 }
 
+}  // namespace
+
 /// As GeneralModes has them, in more digits.
 struct WideModes {
   std::vector<WideReal> rates;
@@ -48,6 +50,8 @@ struct WideModes {
   WideMatrix from, to;
   double amplification = 1, change = 0;
 };
+
+namespace {
 
 class Decomposition {
  public:
@@ -189,27 +193,6 @@ WideModes decomposed(const Dense<long double>& a) {
   return error(apart) < error(found) ? apart : found;
 }
 
-// A grid asks for the modes of one drive at all of its points: those in slip, and over amplitudes
-// and loads those in stick as well.
-class LastModes {
- public:
-  const WideModes& of(const Dense<long double>& a) {
-    for (const Found& each : found_)
-      if (each.a.rows() == a.rows() && each.a.numbers() == a.numbers()) return each.modes;
-    next_ = (next_ + 1) % found_.size();
-    found_[next_] = {a, decomposed(a)};
-    return found_[next_].modes;
-  }
-
- private:
-  struct Found {
-    Dense<long double> a;
-    WideModes modes;
-  };
-  std::array<Found, 4> found_;
-  std::size_t next_ = 0;
-};
-
 // Of a pair's parts the first is as large as the inverse of a rate.
 GeneralModes per_unit(const WideModes& wide, WideReal unit) {
   GeneralModes result;
@@ -237,9 +220,37 @@ GeneralModes per_unit(const WideModes& wide, WideReal unit) {
 
 }  // namespace
 
-GeneralModes general_modes(const Dense<long double>& a, double unit) {
-  thread_local LastModes last;
-  return per_unit(last.of(a), unit);
+// A grid asks for the modes of one drive at all of its points: those in slip, and over amplitudes
+// and loads those in stick as well.
+class KnownModes::Last {
+ public:
+  const WideModes& of(const Dense<long double>& a) {
+    for (const Found& each : found_)
+      if (each.a.rows() == a.rows() && each.a.numbers() == a.numbers()) return each.modes;
+    next_ = (next_ + 1) % found_.size();
+    found_[next_] = {a, decomposed(a)};
+    return found_[next_].modes;
+  }
+
+ private:
+  struct Found {
+    Dense<long double> a;
+    WideModes modes;
+  };
+  std::array<Found, 4> found_;
+  std::size_t next_ = 0;
+};
+
+KnownModes::KnownModes() = default;
+KnownModes::~KnownModes() = default;
+
+GeneralModes KnownModes::of(const Dense<long double>& a, double unit) {
+  if (!last_) last_ = std::make_unique<Last>();
+  return per_unit(last_->of(a), unit);
+}
+
+GeneralModes general_modes(const Dense<long double>& a, double unit, KnownModes* known) {
+  return known != nullptr ? known->of(a, unit) : per_unit(decomposed(a), unit);
 }
 
 namespace {

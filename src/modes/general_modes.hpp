@@ -10,6 +10,7 @@
 #pragma once
 
 #include <complex>
+#include <memory>
 
 #include "modes/spectrum.hpp"
 #include "stiffness/dense.hpp"
@@ -23,10 +24,27 @@ struct GeneralModes {
   double amplification = 1, change = 0;
 };
 
+/// The modes of the last few A, whatever the unit. Whoever asks for many motions of one drive holds
+/// this memory and hands it on; it serves one thread at a time.
+class KnownModes {
+ public:
+  KnownModes();
+  ~KnownModes();
+  KnownModes(const KnownModes&) = delete;
+  KnownModes& operator=(const KnownModes&) = delete;
+
+  /// As general_modes().
+  GeneralModes of(const Dense<long double>& a, double unit);
+
+ private:
+  class Last;
+  std::unique_ptr<Last> last_;  ///< made for the first A
+};
+
 /// Of A/unit: A in units in which all numbers of y are alike, with no growing mode but by rounding.
-/// The last few A are remembered, whatever the unit, by each thread. Throws ModelError where the
-/// eigenvalues do not converge.
-GeneralModes general_modes(const Dense<long double>& a, double unit = 1);
+/// By that memory, if there is one. Throws ModelError where the eigenvalues do not converge.
+GeneralModes general_modes(const Dense<long double>& a, double unit = 1,
+                           KnownModes* known = nullptr);
 
 /// (s - A)^-1 e_1.
 List<std::complex<double>> response(const Dense<long double>& a, std::complex<double> s);

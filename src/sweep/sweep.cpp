@@ -11,6 +11,7 @@
 #include "answers/under_load.hpp"
 #include "base/rounded.hpp"
 #include "critical/admissibility.hpp"
+#include "modes/general_modes.hpp"
 #include "normal/mean_indentation.hpp"
 #include "problem/variation.hpp"
 #include "rules/rulebook.hpp"
@@ -272,7 +273,7 @@ class Sweeping::Rows {
     }
     if (!any_of(sweeping_.sweep_, needs_motion)) return;
     try {
-      const SteadyFriction friction(problem);
+      const SteadyFriction friction(problem, nullptr, &known_modes_);
       for (std::size_t i = 0; i < speeds; i += speeds_at_once)
         find_motion(friction, row + i * stride, std::min(speeds_at_once, speeds - i), stride);
     } catch (const ModelError& error) {
@@ -330,6 +331,7 @@ class Sweeping::Rows {
   const Grid& grid_;
   Block block_;
   Variation changing_;
+  simulation::KnownModes known_modes_;
   std::vector<double> point_, velocities_, critical_, shares_;
   std::vector<bool> outside_, admissible_;
   BlockAnswer answer_;

@@ -5,9 +5,12 @@
 #include <Eigen/Dense>
 #include <unsupported/Eigen/MatrixFunctions>
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <random>
+#include <utility>
+#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_general_modes)
 
@@ -59,6 +62,22 @@ Wide passive(std::mt19937& random, int masses, int elongations, double damping) 
   a.bottomLeftCorner(elongations, masses) = g.transpose();
   for (int i = masses; i < elongations; ++i) a(masses + i, masses + i) = -uniform(0.1, 3);
   return a;
+}
+
+bool equal(const Matrix& one, const Matrix& two) {
+  for (Index j = 0; j < one.columns(); ++j)
+    if (!std::ranges::equal(one.column(j), two.column(j))) return false;
+  return one.columns() == two.columns();
+}
+
+bool same(const GeneralModes& one, const GeneralModes& two) {
+  const auto numbers = [](const ModePair& pair) { return std::pair(pair.decay, pair.q); };
+  return std::ranges::equal(one.modes.spectrum.rates, two.modes.spectrum.rates) &&
+         std::ranges::equal(one.modes.spectrum.pairs, two.modes.spectrum.pairs, {}, numbers,
+                            numbers) &&
+         equal(one.modes.to_modes, two.modes.to_modes) &&
+         equal(one.modes.from_modes, two.modes.from_modes) &&
+         one.amplification == two.amplification && one.change == two.change;
 }
 
 }  // namespace
@@ -128,6 +147,22 @@ BOOST_AUTO_TEST_CASE(a_rate_of_zero_is_zero) {
   const GeneralModes found = general_modes(dense(a));
   BOOST_REQUIRE(found.modes.spectrum.singles() == 1u);
   BOOST_TEST(found.modes.spectrum.rates[0] == 0);
+}
+
+// Of six drives, more than are remembered, in units of their own, each asked for again and again: a
+// memory answers as none does, bit by bit, and each memory is its own.
+BOOST_AUTO_TEST_CASE(known_modes_are_the_modes) {
+  std::mt19937 random(5);
+  KnownModes known, other;
+  std::vector<Dense<long double>> drives;
+  for (int i = 0; i < 6; ++i) drives.push_back(dense(passive(random, 2 + i % 3, 3, 0.3)));
+  for (int turn = 0; turn < 3; ++turn)
+    for (std::size_t i = 0; i < drives.size(); ++i)
+      for (const double unit : {1.0, 1.0, 3e4}) {
+        const GeneralModes found = general_modes(drives[i], unit);
+        BOOST_TEST(same(known.of(drives[i], unit), found));
+        BOOST_TEST(same(general_modes(drives[i], unit, &other), found));
+      }
 }
 
 // 1/(s + 1/2) of one decay, and of a spring and a mass (s, -1; 1, s)/(s^2 + 1).

@@ -68,4 +68,15 @@ BOOST_AUTO_TEST_CASE(rows_of_other_scenes) {
   BOOST_TEST(amplitudes(200) - amplitudes(200 - rows) <= rows * most_of_a_row);
 }
 
+// Each row reads its drive anew, but the modes of it, in slip and in stick, are found for the first
+// row alone: found for each, they take some forty matrices and columns each time.
+BOOST_AUTO_TEST_CASE(rows_of_one_drive_with_masses) {
+  const auto amplitudes = [](int count) {
+    return requests("sonotrode.toml", {fmt::format("amplitude=lin:50 nm:450 nm:{}", count)},
+                    {"friction_ratio"}, 0.5);
+  };
+  constexpr long rows = 100, most_of_a_row = 260;
+  BOOST_TEST(amplitudes(200) - amplitudes(200 - rows) <= rows * most_of_a_row);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -149,7 +149,4 @@ void __cxa_rethrow() {
   __builtin_wasm_throw(0, handled);
 }
 
-// What is to be done when a thread ends, which that of a page never does.
-int __cxa_thread_atexit(void (*)(void*), void*, void*) { return 0; }
-
 }  // extern "C"

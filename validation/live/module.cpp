@@ -12,6 +12,7 @@
 #include "critical/admissibility.hpp"
 #include "critical/critical_velocity.hpp"
 #include "live/scene_text.hpp"
+#include "modes/general_modes.hpp"
 #include "rules/kinds.hpp"
 #include "rules/rulebook.hpp"
 #include "simulation/steady/answers.hpp"
@@ -40,6 +41,7 @@ struct Explored {
   std::vector<Symbol> symbols;  // in the order of known_values()
   std::vector<double> values;
   Problem now;
+  simulation::KnownModes known_modes = {};  // over all values of the scene
   // Of `now`, made when something moves.
   std::optional<simulation::System> system = {};
   std::unique_ptr<SharedEffort> effort = {};
@@ -70,7 +72,10 @@ int answered(const Ask& ask) {
 }
 
 const simulation::System& system() {
-  if (!explored->system) explored->system = simulation::system_of(explored->now);
+  if (!explored->system) {
+    explored->system = simulation::system_of(explored->now);
+    explored->system->known_modes = &explored->known_modes;
+  }
   return *explored->system;
 }
 

@@ -32,13 +32,13 @@ Masses::Masses(const DriveMotion& motion, double omega, double stiffness_unit)
   steady[0] = -fluidity;
 }
 
-GeneralModes slip_modes(const Masses& masses) {
-  return general_modes(masses.by_second, masses.frequency);
+GeneralModes slip_modes(const Masses& masses, KnownModes* known) {
+  return general_modes(masses.by_second, masses.frequency, known);
 }
 
 // A branch of the contact in units of energy, rho = sqrt(k m) times its number, so that it and the
 // body act on each other by sqrt(k/m).
-GeneralModes stick_modes(const Masses& masses, const ContactModes& contact) {
+GeneralModes stick_modes(const Masses& masses, const ContactModes& contact, KnownModes* known) {
   const Index n = masses.states(), branches = contact.branch_stiffness.size();
   const long double mass = masses.mass;
   Dense<long double> a(n + branches, n + branches);
@@ -51,7 +51,7 @@ GeneralModes stick_modes(const Masses& masses, const ContactModes& contact) {
     a(n + i, 0) = link;
     a(n + i, n + i) = -contact.branch_rates[i];
   }
-  GeneralModes result = general_modes(a);
+  GeneralModes result = general_modes(a, 1, known);
   auto& [spectrum, to, from] = result.modes;
   for (Index i = 0; i < branches; ++i) {
     const double unit = std::sqrt(contact.branch_stiffness[i] * masses.mass);

@@ -28,10 +28,10 @@ struct Masses {
   Vector rest;    ///< x_b where everything moves by 1
 };
 
-/// Of the drive alone, its force given.
-GeneralModes slip_modes(const Masses& masses);
+/// Of the drive alone, its force given; by the memory of modes, if there is one.
+GeneralModes slip_modes(const Masses& masses, KnownModes* known);
 /// Of y = (x_b', rho) of the drive and a contact that sticks to ground.
-GeneralModes stick_modes(const Masses& masses, const ContactModes& contact);
+GeneralModes stick_modes(const Masses& masses, const ContactModes& contact, KnownModes* known);
 
 /// x_b' for x_b and a force on the body's end.
 void add_rates(const Masses& masses, ConstView x, double force, View y);

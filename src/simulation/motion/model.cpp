@@ -31,7 +31,8 @@ bool all_in_doubles(std::initializer_list<double> numbers) {
 bool in_doubles(const Relaxation& form) {
   return all_in_doubles({form.equilibrium, form.damper}) &&
          std::all_of(form.branches.begin(), form.branches.end(), [](const MaxwellBranch& branch) {
-           return branch.time > 0 && all_in_doubles({branch.stiffness, branch.time, 1 / branch.time});
+           return branch.time > 0 &&
+                  all_in_doubles({branch.stiffness, branch.time, 1 / branch.time});
          });
 }
 
@@ -171,8 +172,8 @@ Model::Model(const System& system) : effort(effort_of_state, system.effort) {
   }
   slow_units = slow(contact.unit_rates);
   if (body) slow_branches = slow(body->drive.rates);
-  set_stick();
-  set_slip();
+  set_stick(system.known_modes);
+  set_slip(system.known_modes);
   set_sliding();
   set_free_swings(system);
 }
@@ -232,9 +233,9 @@ void Model::set_bound(const System& system) {
 // Both phases have the decaying parts of b behind their own y: stick beside it, for its end, and
 // slip under F = b (or -b, with the parts taken negative), whose rate pushes the body and the
 // units.
-void Model::set_stick() {
+void Model::set_stick(KnownModes* known) {
   if (body && body->masses)
-    stick.modes = heard(stick_modes(*body->masses, contact));
+    stick.modes = heard(stick_modes(*body->masses, contact, known));
   else
     stick.modes = body ? stuck_modes(*body, contact) : uncoupled(contact.branch_rates);
   const Index first = stick.modes.to_modes.columns(), states = body_states();
@@ -254,10 +255,10 @@ void Model::set_stick() {
   stick.levels = levels(stick.event, rows(from, 0, states));
 }
 
-void Model::set_slip() {
+void Model::set_slip(KnownModes* known) {
   const Modes creeping = uncoupled(contact.unit_rates);
   if (body && body->masses)
-    slip.modes = beside(heard(slip_modes(*body->masses)), creeping);
+    slip.modes = beside(heard(slip_modes(*body->masses, known)), creeping);
   else
     slip.modes = body ? beside(body_modes(body->mass, body->drive), creeping) : creeping;
   const Index first = slip.modes.to_modes.columns(), states = body_states();

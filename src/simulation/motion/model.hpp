@@ -158,8 +158,8 @@ struct Model {
   void set_free_swings(const System& system);
   void set_sliding_of_masses();
   const Modes& heard(const GeneralModes& found);
-  void set_stick();
-  void set_slip();
+  void set_stick(KnownModes* known);
+  void set_slip(KnownModes* known);
   void set_sliding();
 };
 

@@ -16,6 +16,8 @@
 
 namespace vcrit::simulation {
 
+class KnownModes;
+
 /// A drive that holds masses, with the body: as it is built, and what the body sees of it.
 struct DriveWithMasses {
   DriveStructure structure;
@@ -37,6 +39,8 @@ struct System {
       {};  ///< in place of drive and mass; see hold_by()
   SharedEffort* effort =
       nullptr;  ///< that all searches on it share; without one each has its own alone
+  KnownModes* known_modes =
+      nullptr;  ///< that systems of one drive share, one thread at a time (general_modes.hpp)
 };
 
 /// Numbers that differ by so many of their roundings are equal, but for rounding.
