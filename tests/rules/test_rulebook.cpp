@@ -381,25 +381,12 @@ BOOST_AUTO_TEST_CASE(an_indenter_on_a_drive_says_what_it_needs) {
   }
 }
 
-// Below an indenter many cells move, else one contact; each scene that has a motion has it by the
-// question that it is asked.
-BOOST_AUTO_TEST_CASE(a_scene_is_asked_for_the_motion_that_it_has) {
-  BOOST_TEST((motion_question(scene_of(Parts{})) == Question::motion));
+BOOST_AUTO_TEST_CASE(cells_move_below_an_indenter_and_an_amplitude_lifts_a_pressed_one) {
   BOOST_TEST((motion_question(scene_of({.rest = cone})) == Question::motion_below_indenter));
-  for (const SceneKind kind : {SceneKind::indenter, SceneKind::no_indenter, SceneKind::separating})
-    BOOST_TEST(bool{answer(motion_question(scene_of(kind)), scene_of(kind))});
-}
-
-// A rim that opens does not pull, so that less depth carries the same load: neither without a rim
-// nor at a given depth.
-BOOST_AUTO_TEST_CASE(the_depth_below_a_pressed_rim_falls_with_the_amplitude) {
-  const auto falls = [](const Parts& parts) {
-    return Facts(scene_of(parts)).depth_falls_with_amplitude();
-  };
-  BOOST_TEST(falls({.rest = cone, .force = 1}));
-  BOOST_TEST(!falls({.rest = cone}));
-  BOOST_TEST(!falls({.force = 1}));
-  BOOST_TEST(!falls({}));
+  BOOST_TEST((motion_question(scene_of({.force = 1})) == Question::motion));
+  BOOST_TEST(Facts(scene_of({.rest = cone, .force = 1})).depth_falls_with_amplitude());
+  for (const Parts& parts : {Parts{.rest = cone}, Parts{.force = 1}})
+    BOOST_TEST(!Facts(scene_of(parts)).depth_falls_with_amplitude());
 }
 
 BOOST_AUTO_TEST_CASE(kinds_seen_without_values_need_none) {
