@@ -41,7 +41,7 @@ Speed SpeedOptions::of(const Problem& problem) const {
   if (by_ratio && std::isinf(critical))
     throw ModelError(onset.reason + ": --velocity-ratio has no meaning, give --velocity");
   const double ratio = by_ratio ? speed_ratio_of(ratio_) : 1;
-  if (!(ratio > 0)) throw InputError({"--velocity-ratio"}, ratio_, "a ratio above 0");
+  if (ratio <= 0) throw InputError({"--velocity-ratio"}, ratio_, "a ratio above 0");
   const double velocity =
       by_ratio ? ratio * critical : parse_quantity(velocity_, Dimension::velocity, {"--velocity"});
   if (!(velocity > 0 && std::isfinite(velocity)))

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 #include <tuple>
 
 #include "answers/friction.hpp"
 #include "answers/realised_friction.hpp"
 #include "arrays.hpp"
+#include "base/numbers.hpp"
 #include "base/rounded.hpp"
 #include "base/units.hpp"
 #include "bindings.hpp"
@@ -36,7 +38,8 @@ std::optional<std::size_t> first_refused_speed(const Array& velocities) {
   return static_cast<std::size_t>(wrong - all.begin());
 }
 
-void refuse_speed(double velocity, const std::string& name) {
+void refuse_speed(double velocity, std::optional<double> ratio, const std::string& name) {
+  if (ratio && *ratio <= 0) throw InputError(argument(name), to_text(*ratio), "a ratio above 0");
   throw InputError(argument(name), "a speed of " + rounded(velocity, "m/s"),
                    "a finite speed above 0");
 }
@@ -144,7 +147,7 @@ void add_friction(py::module_& module) {
   module.def("parse_velocity", &parse_velocity, arg("text"), arg("argument"));
   module.def("parse_ratio", &parse_ratio, arg("text"), arg("argument"));
   module.def("first_refused_speed", &first_refused_speed, arg("velocities").noconvert());
-  module.def("refuse_speed", &refuse_speed, arg("velocity"), arg("argument"));
+  module.def("refuse_speed", &refuse_speed, arg("velocity"), arg("ratio"), arg("argument"));
   module.def("simulate", &simulate, arg("scene"), arg("velocity"), arg("method"), arg("start"));
   module.def("energy", &energy, arg("scene"), arg("velocity"));
   module.def("friction_curve", &friction_curve, arg("scene"), arg("velocities").noconvert(),

@@ -41,7 +41,7 @@ class Speeds(NamedTuple):
         number = self.parse(text) if is_text(self.given) or " " in text else float(text)
         speed, ratio = map(float, self.in_both_units(scene, np.array(number)))
         if np.isnan(speed):
-            _vcrit.refuse_speed(speed, self.argument)
+            _vcrit.refuse_speed(speed, None, self.argument)
         return speed, ratio
 
     def in_both_units(self, scene: _vcrit.Scene, given: npt.NDArray[Any]) -> tuple[Array, Array]:
@@ -52,14 +52,15 @@ class Speeds(NamedTuple):
             if np.isinf(critical):
                 raise _vcrit.ModelError(f"{reason}: velocity_ratio has no meaning, give velocity")
             speeds *= critical
-        self._refuse_wrong(speeds)
+        self._refuse_wrong(speeds, np.asarray(given))
         with np.errstate(divide="ignore"):  # v* = 0 at antiresonance
             return speeds, np.divide(speeds, critical, out=np.empty_like(speeds))
 
-    def _refuse_wrong(self, speeds: Array) -> None:
+    def _refuse_wrong(self, speeds: Array, given: npt.NDArray[Any]) -> None:
         first = _vcrit.first_refused_speed(speeds)
         if first is None:
             return
         place = "" if speeds.ndim == 0 else "at index " + ", ".join(
             str(int(each)) for each in np.unravel_index(first, speeds.shape)) + ": "
-        _vcrit.refuse_speed(float(speeds.flat[first]), place + self.argument)
+        ratio = float(given.flat[first]) if self.are_ratios else None
+        _vcrit.refuse_speed(float(speeds.flat[first]), ratio, place + self.argument)
