@@ -90,7 +90,7 @@ Written written_form(const Findings& findings) {
 /// Puts what a formula needs in order, and finds what has no definition.
 class Ordered {
  public:
-  explicit Ordered(const Written& written) : written_(written) {
+  explicit Ordered(const Written& written) {
     for (const Named& each : written.definitions) meanings_[each.symbol] = &each.meaning;
     visit(written.velocity, needed_);
     for (const Named& each : written.definitions)
@@ -118,7 +118,6 @@ class Ordered {
     definitions.push_back({symbol, *meaning->second});
   }
 
-  const Written& written_;
   std::map<std::string, const Form*> meanings_;
   std::set<std::string> needed_, placed_;
 };
