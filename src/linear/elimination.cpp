@@ -30,43 +30,31 @@ Vector<Number> solve_fully_pivoted(const Matrix<Number>& a, const Vector<Number>
   return a.fullPivLu().solve(right);
 }
 
-template <class Number>
-Cholesky<Number>::Cholesky(const Matrix<Number>& a)
-    : factors_(std::make_shared<Eigen::LLT<Matrix<Number>, Eigen::Lower>>(a)) {}
+Cholesky::Cholesky(const Matrix<long double>& a)
+    : factors_(std::make_shared<Eigen::LLT<Matrix<long double>, Eigen::Lower>>(a)) {}
 
-template <class Number>
-Matrix<Number> Cholesky<Number>::lower() const {
-  return factors_->matrixL();
-}
+Matrix<long double> Cholesky::lower() const { return factors_->matrixL(); }
 
-template <class Number>
-Vector<Number> Cholesky<Number>::solve(const Vector<Number>& right) const {
+Vector<long double> Cholesky::solve(const Vector<long double>& right) const {
   return factors_->solve(right);
 }
 
-template <class Number>
-Matrix<Number> Cholesky<Number>::solve_lower(const Matrix<Number>& right) const {
+Matrix<long double> Cholesky::solve_lower(const Matrix<long double>& right) const {
   return factors_->matrixL().solve(right);
 }
 
-template <class Number>
-Ldlt<Number>::Ldlt(const Matrix<Number>& a)
-    : factors_(std::make_shared<Eigen::LDLT<Matrix<Number>, Eigen::Lower>>(a)) {}
+Ldlt::Ldlt(const Matrix<long double>& a)
+    : factors_(std::make_shared<Eigen::LDLT<Matrix<long double>, Eigen::Lower>>(a)) {}
 
-template <class Number>
-Vector<Number> Ldlt<Number>::solve(const Vector<Number>& right) const {
+Vector<long double> Ldlt::solve(const Vector<long double>& right) const {
   return factors_->solve(right);
 }
 
-template <class Number>
-Matrix<Number> Ldlt<Number>::shapes() const {
-  return factors_->transpositionsP().transpose() * Matrix<Number>(factors_->matrixL());
+Matrix<long double> Ldlt::shapes() const {
+  return factors_->transpositionsP().transpose() * Matrix<long double>(factors_->matrixL());
 }
 
-template <class Number>
-Vector<Number> Ldlt<Number>::diagonal() const {
-  return factors_->vectorD();
-}
+Vector<long double> Ldlt::diagonal() const { return factors_->vectorD(); }
 
 // For each type of number what is asked for, as all of a class would take twice as long to compile.
 using Complex = std::complex<double>;
@@ -87,16 +75,5 @@ template Vector<long double> solve_fully_pivoted(const Matrix<long double>&,
                                                  const Vector<long double>&);
 template Vector<WideComplex> solve_fully_pivoted(const Matrix<WideComplex>&,
                                                  const Vector<WideComplex>&);
-template Cholesky<double>::Cholesky(const Matrix<double>&);
-template Matrix<double> Cholesky<double>::lower() const;
-template Cholesky<long double>::Cholesky(const Matrix<long double>&);
-template Vector<long double> Cholesky<long double>::solve(const Vector<long double>&) const;
-template Matrix<long double> Cholesky<long double>::solve_lower(const Matrix<long double>&) const;
-template Ldlt<double>::Ldlt(const Matrix<double>&);
-template Vector<double> Ldlt<double>::solve(const Vector<double>&) const;
-template Ldlt<long double>::Ldlt(const Matrix<long double>&);
-template Vector<long double> Ldlt<long double>::solve(const Vector<long double>&) const;
-template Matrix<long double> Ldlt<long double>::shapes() const;
-template Vector<long double> Ldlt<long double>::diagonal() const;
 
 }  // namespace vcrit::linear

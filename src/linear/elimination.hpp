@@ -29,30 +29,28 @@ template <class Number>
 Vector<Number> solve_fully_pivoted(const Matrix<Number>& a, const Vector<Number>& right);
 
 /// a = L L^T of a positive definite a. Of another one L means nothing.
-template <class Number>
 class Cholesky {
  public:
-  explicit Cholesky(const Matrix<Number>& a);
-  Matrix<Number> lower() const;
-  Vector<Number> solve(const Vector<Number>& right) const;
+  explicit Cholesky(const Matrix<long double>& a);
+  Matrix<long double> lower() const;
+  Vector<long double> solve(const Vector<long double>& right) const;
   /// L^-1 right.
-  Matrix<Number> solve_lower(const Matrix<Number>& right) const;
+  Matrix<long double> solve_lower(const Matrix<long double>& right) const;
 
  private:
-  std::shared_ptr<const Eigen::LLT<Matrix<Number>, Eigen::Lower>> factors_;
+  std::shared_ptr<const Eigen::LLT<Matrix<long double>, Eigen::Lower>> factors_;
 };
 
 /// P a P^T = L D L^T of a symmetric a without negative eigenvalues.
-template <class Number>
 class Ldlt {
  public:
-  explicit Ldlt(const Matrix<Number>& a);
-  Vector<Number> solve(const Vector<Number>& right) const;
-  Matrix<Number> shapes() const;    ///< P^T L: a = shapes D shapes^T
-  Vector<Number> diagonal() const;  ///< of D
+  explicit Ldlt(const Matrix<long double>& a);
+  Vector<long double> solve(const Vector<long double>& right) const;
+  Matrix<long double> shapes() const;    ///< P^T L: a = shapes D shapes^T
+  Vector<long double> diagonal() const;  ///< of D
 
  private:
-  std::shared_ptr<const Eigen::LDLT<Matrix<Number>, Eigen::Lower>> factors_;
+  std::shared_ptr<const Eigen::LDLT<Matrix<long double>, Eigen::Lower>> factors_;
 };
 
 }  // namespace vcrit::linear

@@ -1,9 +1,14 @@
 #include "linear/orthogonal.hpp"
 
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_linalg.h>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
+#include <limits>
+
+#include "base/gsl_errors.hpp"
 
 namespace vcrit::linear {
 
@@ -46,33 +51,41 @@ Matrix<double> PivotedQr::range(double rank_cut) const {
   return factors.householderQ() * Matrix<double>::Identity(factors.rows(), factors.rank());
 }
 
-template <class Number>
-SymmetricEigen<Number> symmetric_eigen(const Matrix<Number>& a) {
-  const Eigen::SelfAdjointEigenSolver<Matrix<Number>> found(a);
+SymmetricEigen<long double> symmetric_eigen(const Matrix<long double>& a) {
+  const Eigen::SelfAdjointEigenSolver<Matrix<long double>> found(a);
   return {found.eigenvalues(), found.eigenvectors(), found.info() == Eigen::Success};
 }
 
-template <class Number>
-GeneralEigen<Number> general_eigen(const Matrix<Number>& a) {
-  const Eigen::EigenSolver<Matrix<Number>> found(a);
+SymmetricEigen<double> symmetric_eigen(const Matrix<double>& a) {
+  const SymmetricEigen<long double> found =
+      symmetric_eigen(Matrix<long double>(a.cast<long double>()));
+  return {found.values.cast<double>(), found.vectors.cast<double>(), found.converged};
+}
+
+GeneralEigen general_eigen(const Matrix<long double>& a) {
+  const Eigen::EigenSolver<Matrix<long double>> found(a);
   if (found.info() != Eigen::Success) return {{}, {}, false};
   return {found.eigenvalues(), found.pseudoEigenvectors(), true};
 }
 
-template <class Number>
-Vector<std::complex<Number>> eigenvalues(const Matrix<Number>& a) {
-  return Eigen::EigenSolver<Matrix<Number>>(a, false).eigenvalues();
+Vector<std::complex<long double>> eigenvalues(const Matrix<long double>& a) {
+  return Eigen::EigenSolver<Matrix<long double>>(a, false).eigenvalues();
 }
 
+// By GSL: it is compiled already, and one-sided rotations find the small ones as well as the large.
 SingularValues singular_values(const Matrix<double>& a) {
-  const Eigen::JacobiSVD<Matrix<double>> found(a, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return {found.matrixU(), found.singularValues(), found.matrixV()};
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const auto n = static_cast<std::size_t>(a.cols());
+  Rows u = a, v(a.cols(), a.cols());
+  Vector<double> sizes(a.cols());
+  gsl_matrix_view u_view = gsl_matrix_view_array(u.data(), n, n);
+  gsl_matrix_view v_view = gsl_matrix_view_array(v.data(), n, n);
+  gsl_vector_view sizes_view = gsl_vector_view_array(sizes.data(), n);
+  const GslErrorsOff off;
+  if (gsl_linalg_SV_decomp_jacobi(&u_view.matrix, &v_view.matrix, &sizes_view.vector) !=
+      GSL_SUCCESS)
+    sizes.setConstant(std::numeric_limits<double>::quiet_NaN());
+  return {u, sizes, v};
 }
-
-template SymmetricEigen<double> symmetric_eigen(const Matrix<double>&);
-template SymmetricEigen<long double> symmetric_eigen(const Matrix<long double>&);
-template GeneralEigen<long double> general_eigen(const Matrix<long double>&);
-template Vector<std::complex<double>> eigenvalues(const Matrix<double>&);
-template Vector<std::complex<long double>> eigenvalues(const Matrix<long double>&);
 
 }  // namespace vcrit::linear

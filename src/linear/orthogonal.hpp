@@ -50,24 +50,22 @@ struct SymmetricEigen {
   Matrix<Number> vectors;
   bool converged;
 };
-template <class Number>
-SymmetricEigen<Number> symmetric_eigen(const Matrix<Number>& a);
+SymmetricEigen<long double> symmetric_eigen(const Matrix<long double>& a);
+/// The same, rounded: Eigen's solver for doubles would be compiled beside it for nothing.
+SymmetricEigen<double> symmetric_eigen(const Matrix<double>& a);
 
 /// Of any square matrix: eigenvalues, pairs side by side, and a column for each: of a real one its
 /// vector, of a pair the real part and then the imaginary one.
-template <class Number>
 struct GeneralEigen {
-  Vector<std::complex<Number>> values;
-  Matrix<Number> shapes;
+  Vector<std::complex<long double>> values;
+  Matrix<long double> shapes;
   bool converged;
 };
-template <class Number>
-GeneralEigen<Number> general_eigen(const Matrix<Number>& a);
+GeneralEigen general_eigen(const Matrix<long double>& a);
 /// The eigenvalues alone.
-template <class Number>
-Vector<std::complex<Number>> eigenvalues(const Matrix<Number>& a);
+Vector<std::complex<long double>> eigenvalues(const Matrix<long double>& a);
 
-/// a = U diag(sizes) V^T of a square a, the largest first.
+/// a = U diag(sizes) V^T of a square a, the largest first; sizes are NaN where none were found.
 struct SingularValues {
   Matrix<double> u;
   Vector<double> sizes;

@@ -166,7 +166,7 @@ class Decomposition {
 
   WideMatrix a_;
   WideReal size_;
-  linear::GeneralEigen<WideReal> eigen_;
+  linear::GeneralEigen eigen_;
   std::vector<Eigen::Index> real_;
   std::vector<std::pair<WideReal, WideColumn>> singles_;
   std::vector<Plane> planes_;

@@ -85,8 +85,8 @@ Poles zeros_of(const Poles& poles, const VectorXd& residues, double constant) {
   a -= b * residues.transpose() / constant;
   if (!a.allFinite()) return poles;
   Poles zeros;
-  for (const Complex& zero : linear::eigenvalues(a))
-    if (zero.imag() >= 0) zeros.push_back(zero);
+  for (const auto& zero : linear::eigenvalues(a.cast<long double>()))
+    if (zero.imag() >= 0) zeros.emplace_back(zero);
   return zeros;
 }
 

@@ -157,7 +157,7 @@ Structure structure_of_absorbers(const Rows& rows, const Absorbers& absorbers) {
   structure.frequency = squares.cwiseMax(1e-12).cwiseSqrt();
   MatrixXd turned = turn.transpose() * damping * turn;
   turned.diagonal().array() += 1e-9 * turned.trace() + 1e-12;
-  structure.factor = linear::Cholesky<double>(turned).lower();
+  structure.factor = linear::Cholesky(turned.cast<long double>()).lower().cast<double>();
   const VectorXd share =
       (turn.transpose() * held).cwiseQuotient(structure.frequency) / std::sqrt(k);
   structure.lean = share / std::sqrt(std::max(1 - share.squaredNorm(), 1e-6));

@@ -154,7 +154,9 @@ MatrixXd Structure::stiffness_matrix() const {
 Complex Structure::response(double omega) const { return Balance(*this).response(omega); }
 
 double Structure::static_compliance() const {
-  return (reach().transpose() * linear::Ldlt<double>(stiffness_matrix()).solve(reach())).value();
+  const linear::Vector<long double> way = reach().cast<long double>();
+  return static_cast<double>(
+      way.dot(linear::Ldlt(stiffness_matrix().cast<long double>()).solve(way)));
 }
 
 Complex Mode::response(double omega) const {

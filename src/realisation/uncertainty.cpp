@@ -65,7 +65,7 @@ void Uncertainty::drift() {
   constexpr int steps = 8;
   // Most parameters are logarithms, or of size 1 in the units of rows.
   constexpr double farthest = 0.5;
-  const auto axes = linear::symmetric_eigen<double>(slope_.transpose() * slope_);
+  const auto axes = linear::symmetric_eigen(MatrixXd(slope_.transpose() * slope_));
   if (!axes.converged) return;
   for (Index k = 0; k < std::min(directions, parameters_.size()); ++k) {
     const double rise = std::sqrt(std::max(axes.values[k], 0.0));

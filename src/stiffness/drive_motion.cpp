@@ -128,7 +128,7 @@ struct WholeDrive {
           "nothing but masses leads from the body to the far end of the drive: it pulls nothing",
           "a spring or damper to the far end");
     if (force.norm() <= no_part * port.norm()) return 0;
-    return force.dot(linear::Cholesky<MotionReal>(held).solve(force));
+    return force.dot(linear::Cholesky(held).solve(force));
   }
 
   MotionColumn root, port, together;

@@ -150,10 +150,10 @@ void NodalForms::eliminate() {
   if (m > 0) {
     const DenseStructure inner = springs.bottomRightCorner(m, m);
     const DenseStructure all = inner + dampers.bottomRightCorner(m, m);
-    const linear::Cholesky<StructureReal> lower(all);
+    const linear::Cholesky lower(all);
     const DenseStructure half = lower.solve_lower(inner);
     const DenseStructure shares = lower.solve_lower(half.transpose());
-    const auto eigen = linear::symmetric_eigen<StructureReal>((shares + shares.transpose()) / 2);
+    const auto eigen = linear::symmetric_eigen(DenseStructure((shares + shares.transpose()) / 2));
     const DenseStructure to = eigen.vectors.transpose();
     const DenseStructure springs_to = to * lower.solve_lower(springs.bottomLeftCorner(m, n));
     const DenseStructure dampers_to = to * lower.solve_lower(dampers.bottomLeftCorner(m, n));

@@ -33,7 +33,7 @@ struct Held {
 
 // K = P^T L D L^T P as springs: each of D on a column of P^T L. A row of the elimination that is
 // but rounding holds nothing.
-std::vector<Held> springs(const linear::Ldlt<long double>& factors) {
+std::vector<Held> springs(const linear::Ldlt& factors) {
   const Wide shapes = factors.shapes();
   const WideVector d = factors.diagonal();
   const long double least = static_cast<long double>(d.size()) * epsilon * d.maxCoeff();
@@ -50,7 +50,7 @@ DrivenMasses::DrivenMasses(const DriveStructure& structure, double omega, double
   const auto n = static_cast<Index>(masses_);
   const Wide stiffness = matrix_of(structure.stiffness) / stiffness_unit;
   const Wide damping = matrix_of(structure.damping) * (omega / stiffness_unit);
-  const linear::Ldlt<long double> factors(stiffness);
+  const linear::Ldlt factors(stiffness);
   std::vector<Held> held = springs(factors);
   const bool anchored = static_cast<Index>(held.size()) == n;
   for (const DriveBranch& branch : structure.branches) {
