@@ -10,7 +10,7 @@
 
 namespace vcrit::record {
 
-void fields(Fields& f, const indenter::Cell& it) {
+void fields(Fields& f, const indenter::CellMotion& it) {
   f("x", it.x)("mean_normal_force", it.mean_normal_force);
   f("friction_ratio", it.state.friction_ratio)("regime", it.state.regime);
 }
@@ -88,7 +88,7 @@ void print_indenter(const IndenterAnswer& answer, int digits) {
                 ? "from rest and from sliding, all cells become the same"
                 : fmt::format("DISAGREE, by up to {:.2g} in a cell", friction.disagreement));
   const char* heading = "cells";
-  for (const indenter::Cell& cell : answer.cells)
+  for (const indenter::CellMotion& cell : answer.cells)
     print_row(std::exchange(heading, ""),
               fmt::format("at x = {:<9}  friction ratio {:<7}  {}", length(cell.x),
                           rounded(cell.state.friction_ratio, "", std::min(digits, cell_digits)),

@@ -97,7 +97,7 @@ Sweep sweep_of(const SweepOptions& options) {
 /// One line on a terminal: how far, how fast, how long still.
 class ProgressLine {
  public:
-  void operator()(const maps::Progress& progress) {
+  void operator()(const maps::StreamProgress& progress) {
     const auto now = Clock::now();
     if (now - shown_ < std::chrono::milliseconds(250)) return;
     shown_ = now;

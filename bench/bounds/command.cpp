@@ -27,12 +27,12 @@ struct BoundsOptions {
   bool markdown = false;
 };
 
-std::vector<System> chosen_systems(const std::vector<std::string>& only) {
-  std::vector<System> all = all_systems(), chosen;
+std::vector<TrialSystem> chosen_systems(const std::vector<std::string>& only) {
+  std::vector<TrialSystem> all = all_systems(), chosen;
   if (only.empty()) return all;
   for (const std::string& name : only) {
     const auto found = std::find_if(all.begin(), all.end(),
-                                    [&](const System& system) { return system.name == name; });
+                                    [&](const TrialSystem& system) { return system.name == name; });
     if (found == all.end())
       throw InputError({"--only"}, "\"" + name + "\"",
                        "a system as in the table without this option");
@@ -44,19 +44,19 @@ std::vector<System> chosen_systems(const std::vector<std::string>& only) {
 int run_bounds(const BoundsOptions& options) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
-  const std::vector<System> systems = chosen_systems(options.only);
+  const std::vector<TrialSystem> systems = chosen_systems(options.only);
   std::vector<validation::PrivateFolder> folders(systems.size());
-  std::vector<Evaluator> evaluators;
+  std::vector<CompiledHeader> evaluators;
   for (std::size_t i = 0; i < systems.size(); ++i)
     evaluators.emplace_back(systems[i], header_for(systems[i]), folders[i].path());
   in_parallel(systems.size(), options.trial.threads,
               [&](std::size_t i) { evaluators[i].compile(); });
-  std::vector<Result> results;
+  std::vector<SystemResult> results;
   for (std::size_t i = 0; i < systems.size(); ++i) {
     fmt::print(stderr, "{}\n", systems[i].name);
     results.push_back({systems[i].name, try_cases(systems[i], evaluators[i], options.trial)});
   }
-  fmt::print("{}", tables(results, options.markdown ? Style::markdown : Style::text));
+  fmt::print("{}", tables(results, options.markdown ? TableStyle::markdown : TableStyle::text));
   fmt::print(stderr, "{:.0f} s\n", std::chrono::duration<double>(Clock::now() - start).count());
   if (!options.json.empty())
     write_file(options.json, as_json(results, options.trial).dump(1) + "\n");

@@ -31,7 +31,7 @@ std::string_view name_of(Draw draw) {
   return "powers of 2";
 }
 
-std::vector<Draw> draws_for(const System& system) {
+std::vector<Draw> draws_for(const TrialSystem& system) {
   std::vector<Draw> draws{Draw::moderate, Draw::stiff, Draw::stiff_within, Draw::zeros};
   if (system.mass) draws.insert(draws.end(), {Draw::resonance, Draw::antiresonance});
   draws.insert(draws.end(), {Draw::slow, Draw::any, Draw::extreme, Draw::powers});

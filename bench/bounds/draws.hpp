@@ -28,11 +28,11 @@ enum class Draw {
 std::string_view name_of(Draw draw);
 
 /// Those that make sense for the system: without a mass nothing resonates.
-std::vector<Draw> draws_for(const System& system);
+std::vector<Draw> draws_for(const TrialSystem& system);
 
 class Cases {
  public:
-  Cases(const System& system, Reference& reference, std::uint64_t seed)
+  Cases(const TrialSystem& system, ExactReference& reference, std::uint64_t seed)
       : system_(system), reference_(reference), random_(seed) {}
 
   /// One number for each slot.
@@ -60,8 +60,8 @@ class Cases {
   void undamp(const SlotRange& range, std::span<double> x);
   void weaken_dampers(const SlotRange& range, std::span<double> x);
 
-  const System& system_;
-  Reference& reference_;
+  const TrialSystem& system_;
+  ExactReference& reference_;
   std::mt19937_64 random_;
 };
 

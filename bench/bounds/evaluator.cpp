@@ -53,7 +53,7 @@ void run_or_throw(const std::vector<std::string>& command, const std::filesystem
     throw std::runtime_error(fmt::format("{} failed: {}", command.front(), result.output));
 }
 
-std::size_t slot_of(const System& system, const std::string& name, int entry) {
+std::size_t slot_of(const TrialSystem& system, const std::string& name, int entry) {
   const auto slot = std::find_if(system.slots.begin(), system.slots.end(), [&](const Slot& each) {
     return each.name == name && each.entry == entry;
   });
@@ -63,12 +63,12 @@ std::size_t slot_of(const System& system, const std::string& name, int entry) {
 
 }  // namespace
 
-std::string header_for(const System& system) {
+std::string header_for(const TrialSystem& system) {
   return symbolic::emit_header(symbolic::derive(system.problem), "evaluator");
 }
 
-Evaluator::Evaluator(const System& system, const std::string& header,
-                     const std::filesystem::path& folder)
+CompiledHeader::CompiledHeader(const TrialSystem& system, const std::string& header,
+                               const std::filesystem::path& folder)
     : system_(system), program_(folder / "evaluate") {
   const symbolic::ParameterList list(system.problem, symbolic::derive(system.problem));
   for (const symbolic::Member& member : list.members()) {
@@ -81,7 +81,7 @@ Evaluator::Evaluator(const System& system, const std::string& header,
   write_file(folder / "evaluate.cpp", driver);
 }
 
-void Evaluator::compile() const {
+void CompiledHeader::compile() const {
   const auto compiler = validation::find_compiler();
   if (!compiler) throw std::runtime_error("no C++ compiler on the path");
   const std::filesystem::path folder = program_.parent_path();
@@ -90,7 +90,7 @@ void Evaluator::compile() const {
       folder);
 }
 
-std::vector<double> Evaluator::ordered(std::span<const double> x) const {
+std::vector<double> CompiledHeader::ordered(std::span<const double> x) const {
   std::vector<double> result;
   const std::size_t slots = system_.slots.size();
   for (std::size_t first = 0; first < x.size(); first += slots)
@@ -99,23 +99,23 @@ std::vector<double> Evaluator::ordered(std::span<const double> x) const {
   return result;
 }
 
-std::vector<Answers> Evaluator::evaluate(std::span<const double> x,
-                                         const std::filesystem::path& folder) const {
+std::vector<CertifiedAnswers> CompiledHeader::evaluate(std::span<const double> x,
+                                                       const std::filesystem::path& folder) const {
   const std::vector<double> numbers = ordered(x);
   const std::filesystem::path in = folder / "cases", out = folder / "answers";
   std::ofstream(in, std::ios::binary)
       .write(reinterpret_cast<const char*>(numbers.data()),
              static_cast<std::streamsize>(numbers.size() * sizeof(double)));
   run_or_throw({program_, in, out}, folder);
-  std::vector<Answers> answers(x.size() / system_.slots.size());
-  const auto bytes = static_cast<std::streamsize>(answers.size() * sizeof(Answers));
+  std::vector<CertifiedAnswers> answers(x.size() / system_.slots.size());
+  const auto bytes = static_cast<std::streamsize>(answers.size() * sizeof(CertifiedAnswers));
   std::ifstream stream(out, std::ios::binary);
   stream.read(reinterpret_cast<char*>(answers.data()), bytes);
   ensure(stream.gcount() == bytes, "the evaluator answers every case");
   return answers;
 }
 
-std::string Evaluator::parameters(std::span<const double> x) const {
+std::string CompiledHeader::parameters(std::span<const double> x) const {
   std::vector<std::string> members;
   for (const Member& member : members_) {
     std::vector<std::string> numbers;

@@ -12,21 +12,22 @@
 namespace vcrit::bounds {
 
 /// What critical_velocity_certified and fast::critical_velocity_certified return.
-struct Answers {
+struct CertifiedAnswers {
   double value, bound, fast_value, fast_bound;
 };
 
-class Evaluator {
+class CompiledHeader {
  public:
   /// `header`: what the generator makes of the system's scene, under the name "evaluator".
-  Evaluator(const System& system, const std::string& header, const std::filesystem::path& folder);
+  CompiledHeader(const TrialSystem& system, const std::string& header,
+                 const std::filesystem::path& folder);
 
   /// With the first compiler on the path, for this machine.
   void compile() const;
 
   /// The answers to all cases, one after the other in `x`, by files in `folder`.
-  std::vector<Answers> evaluate(std::span<const double> x,
-                                const std::filesystem::path& folder) const;
+  std::vector<CertifiedAnswers> evaluate(std::span<const double> x,
+                                         const std::filesystem::path& folder) const;
 
   /// "{.mu0 = 0x1p-1, ...}": what to give to the header for this case.
   std::string parameters(std::span<const double> x) const;
@@ -39,12 +40,12 @@ class Evaluator {
   };
   std::vector<double> ordered(std::span<const double> x) const;
 
-  const System& system_;
+  const TrialSystem& system_;
   std::vector<Member> members_;
   std::filesystem::path program_;
 };
 
-/// The generated header, to be given to an Evaluator.
-std::string header_for(const System& system);
+/// The generated header, to be given to a CompiledHeader.
+std::string header_for(const TrialSystem& system);
 
 }  // namespace vcrit::bounds

@@ -24,25 +24,25 @@ class Formulas {
 
   explicit Formulas(Arithmetic& arithmetic) : a_(arithmetic) {}
 
-  Value stiffness(Shape shape, Numbers x) {
+  Value stiffness(NetworkShape shape, Numbers x) {
     switch (shape) {
-      case Shape::spring:
+      case NetworkShape::spring:
         return a_.element(x[0]);
-      case Shape::kelvin:
+      case NetworkShape::kelvin:
         return kelvin(x[0], x[1]);
-      case Shape::maxwell:
+      case NetworkShape::maxwell:
         return series(a_.element(x[0]), a_.rate(x[1]));
-      case Shape::zener:
+      case NetworkShape::zener:
         return a_.add(a_.element(x[0]), series(a_.element(x[1]), a_.rate(x[2])));
-      case Shape::burgers:
+      case NetworkShape::burgers:
         return series(series(a_.element(x[0]), a_.rate(x[1])), kelvin(x[2], x[3]));
-      case Shape::prony:
+      case NetworkShape::prony:
         return prony(x);
-      case Shape::ladder:
+      case NetworkShape::ladder:
         return ladder(x);
-      case Shape::bridge:
+      case NetworkShape::bridge:
         return bridge(x);
-      case Shape::grid:
+      case NetworkShape::grid:
         break;
     }
     return grid(x);

@@ -24,7 +24,7 @@ struct Parts {
   Value normal, tangential;
   std::optional<Value> body, whole;  ///< K_d - m omega^2, and K_t more
 
-  Parts(const System& system, Arithmetic& a, std::span<const double> x)
+  Parts(const TrialSystem& system, Arithmetic& a, std::span<const double> x)
       : normal(Formulas<Arithmetic>(a).stiffness(system.contact, system.normal.of(x))),
         tangential(of_contact(system, a, x)) {
     if (!system.drive) return;
@@ -38,7 +38,7 @@ struct Parts {
   }
 
  private:
-  Value of_contact(const System& system, Arithmetic& a, std::span<const double> x) {
+  Value of_contact(const TrialSystem& system, Arithmetic& a, std::span<const double> x) {
     if (!system.poisson)
       return Formulas<Arithmetic>(a).stiffness(system.contact, system.tangential.of(x));
     const Value nu = a.element(x[*system.poisson]), one = a.element(1), two = a.element(2);
@@ -52,7 +52,7 @@ struct Zeros {
   bool above = false, below = false;
 };
 
-Zeros zeros_modulo(ulong prime, const System& system, std::span<const double> x) {
+Zeros zeros_modulo(ulong prime, const TrialSystem& system, std::span<const double> x) {
   ModularArithmetic modular(prime, x[omega_slot]);
   const Parts<ModularArithmetic> parts(system, modular, x);
   const auto zero = [](const auto& value) { return value && ModularArithmetic::is_zero(*value); };
@@ -60,7 +60,7 @@ Zeros zeros_modulo(ulong prime, const System& system, std::span<const double> x)
           ModularArithmetic::is_zero(parts.tangential) || zero(parts.body)};
 }
 
-Zeros exact_zeros(const System& system, std::span<const double> x) {
+Zeros exact_zeros(const TrialSystem& system, std::span<const double> x) {
   constexpr ulong first = (ulong{1} << 61) - 1, second = (ulong{1} << 61) - 45;
   const Zeros one = zeros_modulo(first, system, x), two = zeros_modulo(second, system, x);
   return {one.above && two.above, one.below && two.below};
@@ -77,25 +77,25 @@ void multiply_norm(arb_t product, acb_srcptr z, arb_t square, slong precision) {
 
 }  // namespace
 
-Reference::Reference(const System& system) : system_(system) {
+ExactReference::ExactReference(const TrialSystem& system) : system_(system) {
   for (arb_ptr each : {above_, below_, factor_, velocity_}) arb_init(each);
   arf_init(rest_);
   arf_init(high_);
 }
 
-Reference::~Reference() {
+ExactReference::~ExactReference() {
   for (arb_ptr each : {above_, below_, factor_, velocity_}) arb_clear(each);
   arf_clear(rest_);
   arf_clear(high_);
 }
 
-Exact Reference::velocity(std::span<const double> x) {
+Exact ExactReference::velocity(std::span<const double> x) {
   for (slong precision = least_precision; precision <= most_precision; precision *= 2)
     if (const auto exact = at(precision, x)) return *exact;
   throw Bug("a velocity that is not zero is known at some precision");
 }
 
-std::optional<Exact> Reference::at(slong precision, std::span<const double> x) {
+std::optional<Exact> ExactReference::at(slong precision, std::span<const double> x) {
   balls_.begin(x[omega_slot], precision);
   const Parts<BallArithmetic> parts(system_, balls_, x);
   const bool unsure = may_be_zero(parts.normal) || may_be_zero(parts.tangential) ||
@@ -126,7 +126,7 @@ std::optional<Exact> Reference::at(slong precision, std::span<const double> x) {
   return rounded();
 }
 
-Exact Reference::rounded() {
+Exact ExactReference::rounded() {
   Exact exact{Exact::Kind::number};
   exact.exponent = static_cast<int>(fmpz_get_si(ARF_EXPREF(arb_midref(velocity_))));
   arf_mul_2exp_si(rest_, arb_midref(velocity_), -exact.exponent);
@@ -137,8 +137,8 @@ Exact Reference::rounded() {
   return exact;
 }
 
-double Reference::mass_near_resonance(std::span<const double> x, bool with_tangential,
-                                      double part) {
+double ExactReference::mass_near_resonance(std::span<const double> x, bool with_tangential,
+                                           double part) {
   constexpr slong precision = 128;  // a double is wanted: 75 bits may cancel
   balls_.begin(x[omega_slot], precision);
   Formulas<BallArithmetic> formulas(balls_);

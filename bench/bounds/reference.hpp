@@ -17,12 +17,12 @@ struct Exact {
   int exponent = 0;
 };
 
-class Reference {
+class ExactReference {
  public:
-  explicit Reference(const System& system);
-  ~Reference();
-  Reference(const Reference&) = delete;
-  Reference& operator=(const Reference&) = delete;
+  explicit ExactReference(const TrialSystem& system);
+  ~ExactReference();
+  ExactReference(const ExactReference&) = delete;
+  ExactReference& operator=(const ExactReference&) = delete;
 
   /// 0, a pole and 0/0 are told from tiny numbers: where the balls cannot, by arithmetic modulo two
   /// primes of 61 bits. (A numerator of 10^5 bits has no more than 2000 such divisors.)
@@ -36,7 +36,7 @@ class Reference {
   std::optional<Exact> at(slong precision, std::span<const double> x);
   Exact rounded();
 
-  const System& system_;
+  const TrialSystem& system_;
   BallArithmetic balls_;
   arb_t above_, below_, factor_, velocity_;
   arf_t rest_, high_;

@@ -15,32 +15,32 @@ constexpr int branches = 10, rungs = 10, bridge_edges = 5,
 class Builder {
  public:
   /// The network's expression; its slots are added, what it needs beside it goes to `networks`.
-  std::string network(Shape shape, const std::string& letter) {
+  std::string network(NetworkShape shape, const std::string& letter) {
     letter_ = letter;
     switch (shape) {
-      case Shape::spring:
+      case NetworkShape::spring:
         return k(0);
-      case Shape::kelvin:
+      case NetworkShape::kelvin:
         return spring_and_damper("|");
-      case Shape::maxwell:
+      case NetworkShape::maxwell:
         return spring_and_damper("-");
-      case Shape::zener:
+      case NetworkShape::zener:
         return zener();
-      case Shape::burgers:
+      case NetworkShape::burgers:
         return burgers();
-      case Shape::prony:
+      case NetworkShape::prony:
         return prony();
-      case Shape::ladder:
+      case NetworkShape::ladder:
         return ladder();
-      case Shape::bridge:
+      case NetworkShape::bridge:
         return bridge();
-      case Shape::grid:
+      case NetworkShape::grid:
         return grid();
     }
     return {};
   }
 
-  SlotRange network(Shape shape, const std::string& letter, std::string& expression) {
+  SlotRange network(NetworkShape shape, const std::string& letter, std::string& expression) {
     const std::size_t first = slots.size();
     expression = network(shape, letter);
     return {first, slots.size() - first};
@@ -140,8 +140,8 @@ class Builder {
 
 enum class Contact { own, isotropic };
 
-System system(const std::string& name, Shape contact, Contact tangential,
-              std::optional<Shape> drive) {
+TrialSystem system(const std::string& name, NetworkShape contact, Contact tangential,
+                   std::optional<NetworkShape> drive) {
   Builder builder;
   builder.add(Role::coefficient, "mu0");
   builder.add(Role::omega, "omega");
@@ -178,17 +178,17 @@ System system(const std::string& name, Shape contact, Contact tangential,
 
 }  // namespace
 
-std::vector<System> all_systems() {
-  return {system("rigid", Shape::zener, Contact::own, {}),
-          system("isotropic", Shape::zener, Contact::isotropic, Shape::spring),
-          system("kelvin", Shape::kelvin, Contact::own, Shape::kelvin),
-          system("maxwell", Shape::maxwell, Contact::own, Shape::maxwell),
-          system("zener", Shape::zener, Contact::own, Shape::zener),
-          system("burgers", Shape::burgers, Contact::own, Shape::burgers),
-          system("prony10", Shape::prony, Contact::own, Shape::prony),
-          system("ladder10", Shape::ladder, Contact::own, Shape::ladder),
-          system("bridge", Shape::bridge, Contact::own, Shape::bridge),
-          system("grid3x3", Shape::grid, Contact::own, Shape::grid)};
+std::vector<TrialSystem> all_systems() {
+  return {system("rigid", NetworkShape::zener, Contact::own, {}),
+          system("isotropic", NetworkShape::zener, Contact::isotropic, NetworkShape::spring),
+          system("kelvin", NetworkShape::kelvin, Contact::own, NetworkShape::kelvin),
+          system("maxwell", NetworkShape::maxwell, Contact::own, NetworkShape::maxwell),
+          system("zener", NetworkShape::zener, Contact::own, NetworkShape::zener),
+          system("burgers", NetworkShape::burgers, Contact::own, NetworkShape::burgers),
+          system("prony10", NetworkShape::prony, Contact::own, NetworkShape::prony),
+          system("ladder10", NetworkShape::ladder, Contact::own, NetworkShape::ladder),
+          system("bridge", NetworkShape::bridge, Contact::own, NetworkShape::bridge),
+          system("grid3x3", NetworkShape::grid, Contact::own, NetworkShape::grid)};
 }
 
 }  // namespace vcrit::bounds

@@ -13,7 +13,7 @@
 namespace vcrit::bounds {
 
 /// What stands between two points; formulas.hpp says which numbers each takes, in which order.
-enum class Shape { spring, kelvin, maxwell, zener, burgers, prony, ladder, bridge, grid };
+enum class NetworkShape { spring, kelvin, maxwell, zener, burgers, prony, ladder, bridge, grid };
 
 enum class Role { coefficient, omega, amplitude, mass, poisson, spring, damper, time };
 
@@ -34,12 +34,12 @@ struct SlotRange {
   }
 };
 
-struct System {
+struct TrialSystem {
   std::string name;
   Problem problem;
   std::vector<Slot> slots;
-  Shape contact{};
-  std::optional<Shape> drive;
+  NetworkShape contact{};
+  std::optional<NetworkShape> drive;
   SlotRange normal, tangential, driving;
   std::optional<std::size_t> mass, poisson;  ///< slots; an isotropic contact has no tangential one
 };
@@ -48,6 +48,6 @@ inline constexpr std::size_t coefficient_slot = 0, omega_slot = 1,
                              amplitude_slot = 2;  // of every case
 
 /// All systems, the smallest networks first.
-std::vector<System> all_systems();
+std::vector<TrialSystem> all_systems();
 
 }  // namespace vcrit::bounds

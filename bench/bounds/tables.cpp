@@ -28,7 +28,7 @@ Row head(const std::string& first) {
           "worst ulp", "error/bound", "fast bound", "fast error/bound", "violations"};
 }
 
-std::string violations(const Tally& tally) {
+std::string violations(const TrialTally& tally) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < violation_kinds; ++i)
     if (tally.violations[i] > 0)
@@ -36,7 +36,7 @@ std::string violations(const Tally& tally) {
   return parts.empty() ? "0" : fmt::format("{}", fmt::join(parts, ", "));
 }
 
-Row row(const std::string& name, const Tally& tally) {
+Row row(const std::string& name, const TrialTally& tally) {
   return {name,
           std::to_string(tally.cases),
           std::to_string(tally.undefined),
@@ -50,14 +50,14 @@ Row row(const std::string& name, const Tally& tally) {
 }
 
 /// All systems together, by the kind of draw.
-Tallies by_draw(const std::vector<Result>& results) {
+Tallies by_draw(const std::vector<SystemResult>& results) {
   Tallies all;
-  for (const Result& result : results)
+  for (const SystemResult& result : results)
     for (const auto& [draw, tally] : result.tallies) all[draw] += tally;
   return all;
 }
 
-nlohmann::ordered_json tally_json(const Tally& tally) {
+nlohmann::ordered_json tally_json(const TrialTally& tally) {
   nlohmann::ordered_json out{{"cases", tally.cases},
                              {"undefined", tally.undefined},
                              {"doubles", tally.doubles},
@@ -77,18 +77,19 @@ nlohmann::ordered_json tally_json(const Tally& tally) {
 
 }  // namespace
 
-std::string tables(const std::vector<Result>& results, bench::Style style) {
+std::string tables(const std::vector<SystemResult>& results, bench::TableStyle style) {
   std::vector<Row> systems{head("system")}, draws{head("values")};
-  for (const Result& result : results)
+  for (const SystemResult& result : results)
     systems.push_back(row(result.system, sum_of(result.tallies)));
   for (const auto& [draw, tally] : by_draw(results))
     draws.push_back(row(std::string(name_of(draw)), tally));
   return bench::text_table(systems, style) + "\n" + bench::text_table(draws, style);
 }
 
-nlohmann::ordered_json as_json(const std::vector<Result>& results, const TrialOptions& options) {
+nlohmann::ordered_json as_json(const std::vector<SystemResult>& results,
+                               const TrialOptions& options) {
   nlohmann::ordered_json out{{"cases", options.cases}, {"seed", options.seed}};
-  for (const Result& result : results) {
+  for (const SystemResult& result : results) {
     nlohmann::ordered_json& system = out["systems"][result.system];
     system["all"] = tally_json(sum_of(result.tallies));
     for (const auto& [draw, tally] : result.tallies)
@@ -97,9 +98,9 @@ nlohmann::ordered_json as_json(const std::vector<Result>& results, const TrialOp
   return out;
 }
 
-std::string first_violations(const std::vector<Result>& results) {
+std::string first_violations(const std::vector<SystemResult>& results) {
   std::string out;
-  for (const Result& result : results)
+  for (const SystemResult& result : results)
     for (const auto& first : sum_of(result.tallies).firsts)
       if (first) out += first->text + "\n";
   return out;

@@ -10,17 +10,18 @@
 
 namespace vcrit::bounds {
 
-struct Result {
+struct SystemResult {
   std::string system;
   Tallies tallies;
 };
 
 /// One line a system, then one a kind of draw.
-std::string tables(const std::vector<Result>& results, bench::Style style);
+std::string tables(const std::vector<SystemResult>& results, bench::TableStyle style);
 
-nlohmann::ordered_json as_json(const std::vector<Result>& results, const TrialOptions& options);
+nlohmann::ordered_json as_json(const std::vector<SystemResult>& results,
+                               const TrialOptions& options);
 
 /// The first violation of each kind by each system, in words; empty for none.
-std::string first_violations(const std::vector<Result>& results);
+std::string first_violations(const std::vector<SystemResult>& results);
 
 }  // namespace vcrit::bounds

@@ -36,7 +36,7 @@ std::string exact_text(const Exact& exact) {
 /// Cases first, first + 1, ... of one seed of their own.
 class Chunk {
  public:
-  Chunk(const System& system, const Evaluator& evaluator, const TrialOptions& options,
+  Chunk(const TrialSystem& system, const CompiledHeader& evaluator, const TrialOptions& options,
         std::uint64_t first)
       : system_(system),
         evaluator_(evaluator),
@@ -51,7 +51,7 @@ class Chunk {
     numbers_.resize(count * slots());
     for (std::uint64_t i = 0; i < count; ++i) cases_.fill(draw(i), numbers_of(i));
     const validation::PrivateFolder folder;
-    const std::vector<Answers> answers = evaluator_.evaluate(numbers_, folder.path());
+    const std::vector<CertifiedAnswers> answers = evaluator_.evaluate(numbers_, folder.path());
     Tallies tallies;
     for (std::uint64_t i = 0; i < count; ++i) judge_case(i, answers[i], tallies[draw(i)]);
     return tallies;
@@ -71,7 +71,7 @@ class Chunk {
     return std::span(numbers_).subspan(i * slots(), slots());
   }
 
-  void judge_case(std::uint64_t i, const Answers& answers, Tally& tally) {
+  void judge_case(std::uint64_t i, const CertifiedAnswers& answers, TrialTally& tally) {
     const Exact exact = reference_.velocity(numbers_of(i));
     if (exact.kind == Exact::Kind::undefined) {
       ++tally.undefined;
@@ -84,7 +84,7 @@ class Chunk {
     if (!first) first = {first_ + i, report(i, answers, exact, *verdict.violation)};
   }
 
-  std::string report(std::uint64_t i, const Answers& answers, const Exact& exact,
+  std::string report(std::uint64_t i, const CertifiedAnswers& answers, const Exact& exact,
                      Violation violation) {
     return fmt::format(
         "{} violated, {}, case {} ({}) of seed {}\n"
@@ -96,20 +96,20 @@ class Chunk {
         answers.fast_value, answers.fast_bound);
   }
 
-  const System& system_;
-  const Evaluator& evaluator_;
+  const TrialSystem& system_;
+  const CompiledHeader& evaluator_;
   const TrialOptions& options_;
   std::uint64_t first_;
   std::vector<Draw> draws_;
-  Reference reference_;
+  ExactReference reference_;
   Cases cases_;
   std::vector<double> numbers_;
 };
 
 }  // namespace
 
-Tally sum_of(const Tallies& tallies) {
-  Tally sum;
+TrialTally sum_of(const Tallies& tallies) {
+  TrialTally sum;
   for (const auto& [draw, tally] : tallies) sum += tally;
   return sum;
 }
@@ -135,7 +135,8 @@ void in_parallel(std::size_t count, unsigned threads,
   if (failure) std::rethrow_exception(failure);
 }
 
-Tallies try_cases(const System& system, const Evaluator& evaluator, const TrialOptions& options) {
+Tallies try_cases(const TrialSystem& system, const CompiledHeader& evaluator,
+                  const TrialOptions& options) {
   Tallies all;
   std::mutex mutex;
   const std::uint64_t chunks = (options.cases + chunk_size - 1) / chunk_size;

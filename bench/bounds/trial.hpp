@@ -24,12 +24,13 @@ struct TrialOptions {
 };
 
 /// Tallies by the kind of draw, which the cases take in turns.
-using Tallies = std::map<Draw, Tally>;
-Tally sum_of(const Tallies& tallies);
+using Tallies = std::map<Draw, TrialTally>;
+TrialTally sum_of(const Tallies& tallies);
 
 /// Calls task(0) to task(count - 1) on so many threads. The first exception is thrown again.
 void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& task);
 
-Tallies try_cases(const System& system, const Evaluator& evaluator, const TrialOptions& options);
+Tallies try_cases(const TrialSystem& system, const CompiledHeader& evaluator,
+                  const TrialOptions& options);
 
 }  // namespace vcrit::bounds

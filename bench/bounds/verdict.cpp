@@ -54,7 +54,8 @@ bool certifies(double bound, const Exact& exact) {
   return is_normal(exact) ? bound <= 0x1p-52 : bound * exact.high * last_places(exact) <= 1;
 }
 
-std::optional<Violation> violation(const Answers& a, const Exact& exact, const Verdict& verdict) {
+std::optional<Violation> violation(const CertifiedAnswers& a, const Exact& exact,
+                                   const Verdict& verdict) {
   const bool is_number = exact.kind == Exact::Kind::number;
   if (is_false_bound(a.bound) || is_more_than_one(verdict.ratio)) return Violation::bound;
   if (is_false_bound(a.fast_bound) || is_more_than_one(verdict.fast_ratio))
@@ -83,7 +84,7 @@ double relative_error(double value, const Exact& exact) {
   return std::abs((scaled - exact.high) - exact.low) / exact.high;
 }
 
-Verdict judge(const Answers& answers, const Exact& exact) {
+Verdict judge(const CertifiedAnswers& answers, const Exact& exact) {
   Verdict verdict;
   verdict.ratio = ratio(answers.value, answers.bound, exact);
   verdict.fast_ratio = ratio(answers.fast_value, answers.fast_bound, exact);
@@ -97,7 +98,7 @@ Verdict judge(const Answers& answers, const Exact& exact) {
   return verdict;
 }
 
-void Tally::add(const Verdict& verdict) {
+void TrialTally::add(const Verdict& verdict) {
   ++cases;
   doubles += verdict.is_double ? 1 : 0;
   bounded += verdict.is_double && verdict.ratio ? 1 : 0;
@@ -111,7 +112,7 @@ void Tally::add(const Verdict& verdict) {
   if (verdict.violation) ++violations[static_cast<std::size_t>(*verdict.violation)];
 }
 
-Tally& Tally::operator+=(const Tally& other) {
+TrialTally& TrialTally::operator+=(const TrialTally& other) {
   cases += other.cases;
   undefined += other.undefined;
   doubles += other.doubles;

@@ -33,12 +33,12 @@ struct Verdict {
 };
 
 /// `exact` must not be undefined.
-Verdict judge(const Answers& answers, const Exact& exact);
+Verdict judge(const CertifiedAnswers& answers, const Exact& exact);
 
 /// |value - v*|/v* but for 2^-50 of itself and 2^-105; NaN stays NaN.
 double relative_error(double value, const Exact& exact);
 
-struct Tally {
+struct TrialTally {
   std::uint64_t cases = 0, undefined = 0;       ///< those with 0/0 are not tried
   std::uint64_t doubles = 0, certified = 0;     ///< v* is a double; and certified
   std::uint64_t bounded = 0, fast_bounded = 0;  ///< v* is a double; and the bound is finite
@@ -53,7 +53,7 @@ struct Tally {
   std::array<std::optional<First>, violation_kinds> firsts;
 
   void add(const Verdict& verdict);
-  Tally& operator+=(const Tally& other);
+  TrialTally& operator+=(const TrialTally& other);
 };
 
 }  // namespace vcrit::bounds

@@ -20,7 +20,7 @@ namespace {
 /// What the child writes into the pipe, in one piece.
 struct Message {
   Ending ending;
-  Numbers numbers;
+  ChildNumbers numbers;
   char words[256];
 };
 
@@ -46,7 +46,7 @@ void keep_memory() {
   mallopt(M_MMAP_MAX, 0);
 }
 
-Message done(const std::function<Numbers()>& work) {
+Message done(const std::function<ChildNumbers()>& work) {
   Message message{};
   try {
     message.numbers = work();
@@ -71,7 +71,7 @@ Report received(int pipe, pid_t child) {
 
 }  // namespace
 
-Report in_child(const Limits& limits, const std::function<Numbers()>& work) {
+Report in_child(const Limits& limits, const std::function<ChildNumbers()>& work) {
   int ends[2];
   if (pipe(ends) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
   const pid_t child = fork();

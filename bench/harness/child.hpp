@@ -11,7 +11,7 @@
 namespace vcrit::bench {
 
 /// What goes through the pipe.
-using Numbers = std::array<double, 3>;
+using ChildNumbers = std::array<double, 3>;
 
 enum class Ending {
   answered,
@@ -22,7 +22,7 @@ enum class Ending {
 
 struct Report {
   Ending ending = Ending::crashed;
-  Numbers numbers = {};
+  ChildNumbers numbers = {};
   std::string words = {};
 };
 
@@ -38,7 +38,7 @@ struct Limits {
 
 /// The process keeps the memory that the work gives back: taking it from the system again would
 /// count as the method's time, or not, depending on what was measured before.
-Report in_child(const Limits& limits, const std::function<Numbers()>& work);
+Report in_child(const Limits& limits, const std::function<ChildNumbers()>& work);
 
 /// For the work: the rest of it may take any time.
 void lift_time_limit();

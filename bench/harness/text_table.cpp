@@ -36,8 +36,8 @@ std::string as_markdown(const std::vector<TextRow>& rows) {
 
 }  // namespace
 
-std::string text_table(const std::vector<TextRow>& rows, Style style) {
-  return style == Style::text ? in_columns(rows) : as_markdown(rows);
+std::string text_table(const std::vector<TextRow>& rows, TableStyle style) {
+  return style == TableStyle::text ? in_columns(rows) : as_markdown(rows);
 }
 
 }  // namespace vcrit::bench

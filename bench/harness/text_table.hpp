@@ -8,9 +8,9 @@ namespace vcrit::bench {
 
 using TextRow = std::vector<std::string>;
 
-enum class Style { text, markdown };
+enum class TableStyle { text, markdown };
 
 /// The first row is the head; the first column stands to the left, the others to the right.
-std::string text_table(const std::vector<TextRow>& rows, Style style);
+std::string text_table(const std::vector<TextRow>& rows, TableStyle style);
 
 }  // namespace vcrit::bench

@@ -129,7 +129,7 @@ void print_times(const char* title, const Seconds& seconds_of) {
       row.push_back(fmt::format("{:.1f}", seconds[i] / seconds[0]));
     rows.push_back(row);
   }
-  fmt::print("{}\n\n{}\n", title, text_table(rows, Style::text));
+  fmt::print("{}\n\n{}\n", title, text_table(rows, TableStyle::text));
 }
 
 void run_masses(double repeat) {

@@ -18,7 +18,7 @@ using namespace scaling;
 
 struct Family {
   std::string name;
-  std::vector<Case> cases;
+  std::vector<ScalingCase> cases;
 };
 
 std::vector<Family> families() {
@@ -28,9 +28,10 @@ std::vector<Family> families() {
 }
 
 /// Nothing where it is not back in time, has not memory enough, or fails.
-std::optional<double> limited(const Peer& peer, const Case& each, std::chrono::seconds limit) {
+std::optional<double> limited(const ScalingPeer& peer, const ScalingCase& each,
+                              std::chrono::seconds limit) {
   const Report report = in_child({.time = limit, .of_programs = true},
-                                 [&] { return Numbers{peer.seconds(each).value()}; });
+                                 [&] { return ChildNumbers{peer.seconds(each).value()}; });
   if (report.ending != Ending::answered) return std::nullopt;
   return report.numbers[0];
 }
@@ -39,19 +40,19 @@ std::string seconds_text(const std::optional<double>& seconds) {
   return seconds ? fmt::format("{:.1e}", *seconds) : "-";
 }
 
-void print_table(const std::string& title, const std::vector<Peer>& peers,
+void print_table(const std::string& title, const std::vector<ScalingPeer>& peers,
                  std::chrono::seconds limit) {
   fmt::print("\n{} (seconds; -: not within {} s, or not of its kind)\n\n{:<24}", title,
              limit.count(), "");
   const std::vector<Family> all = families();
   for (const Family& family : all)
-    for (const Case& each : family.cases) fmt::print(" {:>10}", each.name);
+    for (const ScalingCase& each : family.cases) fmt::print(" {:>10}", each.name);
   fmt::print("\n");
-  for (const Peer& peer : peers) {
+  for (const ScalingPeer& peer : peers) {
     fmt::print("{:<24}", peer.name);
     std::fflush(stdout);
     for (const Family& family : all)
-      for (const Case& each : family.cases) {
+      for (const ScalingCase& each : family.cases) {
         fmt::print(stderr, "{}: {}\n", peer.name, each.name);
         const auto seconds = limited(peer, each, limit);
         fmt::print(" {:>10}", seconds_text(seconds));
@@ -63,12 +64,12 @@ void print_table(const std::string& title, const std::vector<Peer>& peers,
 void print_whole() {
   fmt::print("\nv* derived, K named (seconds)\n\n{:<12} {:>10} {:>10} {:>14}\n", "", "v*", "limits",
              "sensitivities");
-  const auto row = [](const Case& each) {
+  const auto row = [](const ScalingCase& each) {
     fmt::print("{:<12} {:>10.1e} {:>10.1e} {:>14.1e}\n", each.name, whole_derivation(each),
                all_limits(each), all_sensitivities(each));
   };
   for (const Family& family : families())
-    for (const Case& each : family.cases) row(each);
+    for (const ScalingCase& each : family.cases) row(each);
   row(grid(12));
 }
 
@@ -76,7 +77,7 @@ void print_whole() {
 void print_growth() {
   fmt::print("\nGrowth: microseconds an element\n\n{:<12} {:>14} {:>14} {:>10}\n", "",
              "straight line", "named formula", "v*");
-  const auto row = [](const Case& each, int elements) {
+  const auto row = [](const ScalingCase& each, int elements) {
     const double unit = 1e6 / elements;
     fmt::print("{:<12} {:>14.3f} {:>14.2f} {:>10.2f}\n", each.name,
                unit * straight_line(each).value(), unit * named_formula(each).value(),

@@ -51,21 +51,21 @@ class Wires {
 
 }  // namespace
 
-Case ladder(int elements) {
+ScalingCase ladder(int elements) {
   Network whole = element(elements % 2 == 1, elements);
   for (int i = elements - 1; i > 0; --i)
     whole = i % 2 == 1 ? series({element(true, i), whole}) : parallel({element(false, i), whole});
   return {fmt::format("ladder-{}", elements), whole};
 }
 
-Case prony(int branches) {
+ScalingCase prony(int branches) {
   std::vector<Network> parts{spring({"k0"})};
   for (int i = 1; i <= branches; ++i)
     parts.push_back(maxwell({"k" + std::to_string(i)}, {"tau" + std::to_string(i)}));
   return {fmt::format("Prony-{}", branches), parallel(parts)};
 }
 
-Case bridge() {
+ScalingCase bridge() {
   const Graph graph{
       {"a", "b", "1", "2"},
       {element(true, 1), element(false, 1), element(true, 2), element(false, 2), element(true, 3)},
@@ -73,7 +73,7 @@ Case bridge() {
   return {"bridge", {graph}};
 }
 
-Case grid(int n) {
+ScalingCase grid(int n) {
   Graph graph;
   graph.nodes = {"a", "b"};
   std::vector<int> names;

@@ -9,18 +9,18 @@
 
 namespace vcrit::scaling {
 
-struct Case {
+struct ScalingCase {
   std::string name;  ///< "ladder-20"
   Network network;
 };
 
 /// Springs in line and dampers to ground by turns.
-Case ladder(int elements);
+ScalingCase ladder(int elements);
 /// A spring beside Maxwell branches.
-Case prony(int branches);
-Case bridge();
+ScalingCase prony(int branches);
+ScalingCase bridge();
 /// Springs and dampers by turns on the edges of n x n nodes, from corner to corner.
-Case grid(int n);
+ScalingCase grid(int n);
 
 /// A network's elements between its nodes 0 and 1, the terminals, and inner nodes.
 struct Wiring {

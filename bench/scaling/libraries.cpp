@@ -36,7 +36,7 @@ class Symbols {
   std::map<std::string, ex> known_;
 };
 
-bool has_graph(const Case& each) {
+bool has_graph(const ScalingCase& each) {
   for (const Step& step : reduce(each.network).steps)
     if (step.kind == Step::Kind::mesh) return true;
   return false;
@@ -153,7 +153,7 @@ struct Fractions {
   Value mesh(const Value&, const Value&, const Value&) { return {}; }
 };
 
-std::vector<std::string> names_of(const Case& each) {
+std::vector<std::string> names_of(const ScalingCase& each) {
   std::vector<std::string> names{"s"};
   for (const Symbol& symbol : symbols_of(each.network)) names.push_back(to_text(symbol));
   return names;
@@ -161,7 +161,7 @@ std::vector<std::string> names_of(const Case& each) {
 
 }  // namespace
 
-std::optional<double> ginac_composed(const Case& each) {
+std::optional<double> ginac_composed(const ScalingCase& each) {
   if (has_graph(each)) return std::nullopt;
   const Reduction reduction = reduce(each.network);
   return seconds_of([&] {
@@ -171,7 +171,7 @@ std::optional<double> ginac_composed(const Case& each) {
   });
 }
 
-std::optional<double> ginac_lsolve(const Case& each) {
+std::optional<double> ginac_lsolve(const ScalingCase& each) {
   const Wiring wires = wiring(each.network);
   return seconds_of([&] {
     Symbols symbols;
@@ -193,7 +193,7 @@ std::optional<double> ginac_lsolve(const Case& each) {
   });
 }
 
-std::optional<double> ginac_determinant(const Case& each) {
+std::optional<double> ginac_determinant(const ScalingCase& each) {
   const Wiring wires = wiring(each.network);
   return seconds_of([&] {
     Symbols symbols;
@@ -204,7 +204,7 @@ std::optional<double> ginac_determinant(const Case& each) {
   });
 }
 
-std::optional<double> flint_by_hand(const Case& each) {
+std::optional<double> flint_by_hand(const ScalingCase& each) {
   if (has_graph(each)) return std::nullopt;
   const Reduction reduction = reduce(each.network);
   const std::vector<std::string> names = names_of(each);

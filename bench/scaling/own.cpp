@@ -12,18 +12,18 @@
 
 namespace vcrit::scaling {
 
-std::optional<double> straight_line(const Case& each) {
+std::optional<double> straight_line(const ScalingCase& each) {
   return seconds_of([&] { reduce(each.network); });
 }
 
-std::optional<double> named_formula(const Case& each) {
+std::optional<double> named_formula(const ScalingCase& each) {
   return seconds_of([&] {
     std::vector<symbolic::Line> definitions;
     symbolic::nested(reduce(each.network), {}, definitions);
   });
 }
 
-std::optional<double> multiplied_out(const Case& each) {
+std::optional<double> multiplied_out(const ScalingCase& each) {
   std::set<std::string> names{symbolic::own_name("s")};
   for (const Symbol& symbol : symbols_of(each.network)) names.insert(to_text(symbol));
   return seconds_of([&] {
@@ -35,7 +35,7 @@ std::optional<double> multiplied_out(const Case& each) {
 namespace {
 
 /// The network as the contact, on a body that a spring drives.
-Scene on_a_body(const Case& each) {
+Scene on_a_body(const ScalingCase& each) {
   Scene scene;
   scene.normal = each.network;
   scene.tangential = Isotropic{Isotropic::By::ratio, {{"tangential_ratio"}, 0.8}};
@@ -48,16 +48,16 @@ Scene on_a_body(const Case& each) {
 
 }  // namespace
 
-double whole_derivation(const Case& each) {
+double whole_derivation(const ScalingCase& each) {
   return seconds_of([&, scene = on_a_body(each)] { symbolic::derive(scene); });
 }
 
-double all_limits(const Case& each) {
+double all_limits(const ScalingCase& each) {
   return seconds_of(
       [derivation = symbolic::derive(on_a_body(each))] { symbolic::limits(derivation); });
 }
 
-double all_sensitivities(const Case& each) {
+double all_sensitivities(const ScalingCase& each) {
   return seconds_of(
       [derivation = symbolic::derive(on_a_body(each))] { symbolic::sensitivities(derivation); });
 }

@@ -6,8 +6,8 @@
 namespace vcrit::scaling {
 
 /// The reduction alone, in numbers of steps; with symbols, written as named lines; multiplied out.
-std::optional<double> straight_line(const Case& each);
-std::optional<double> named_formula(const Case& each);
-std::optional<double> multiplied_out(const Case& each);
+std::optional<double> straight_line(const ScalingCase& each);
+std::optional<double> named_formula(const ScalingCase& each);
+std::optional<double> multiplied_out(const ScalingCase& each);
 
 }  // namespace vcrit::scaling

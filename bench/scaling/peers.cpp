@@ -9,14 +9,14 @@ namespace vcrit::scaling {
 
 double seconds_of(const std::function<void()>& run) { return bench::settled_time(run, 0.1); }
 
-std::vector<Peer> nested_peers() {
+std::vector<ScalingPeer> nested_peers() {
   return {{"vcrit, straight line", straight_line},
           {"vcrit, named formula", named_formula},
           {"GiNaC, composed", ginac_composed},
           {"SymPy, composed", sympy_composed}};
 }
 
-std::vector<Peer> expanded_peers() {
+std::vector<ScalingPeer> expanded_peers() {
   return {{"vcrit", multiplied_out},
           {"FLINT, by hand", flint_by_hand},
           {"Maxima, newdet", maxima_newdet},

@@ -14,7 +14,7 @@ namespace {
 // A script has the processor time of whoever calls it.
 constexpr std::chrono::minutes longest{10};
 
-nlohmann::json asked(const Case& each) {
+nlohmann::json asked(const ScalingCase& each) {
   nlohmann::json names{"s"}, edges = nlohmann::json::array();
   for (const Symbol& symbol : symbols_of(each.network)) names.push_back(to_text(symbol));
   const Wiring wires = wiring(each.network);
@@ -26,7 +26,7 @@ nlohmann::json asked(const Case& each) {
           {"edges", edges}};
 }
 
-std::optional<double> run(const Case& each, const char* method) {
+std::optional<double> run(const ScalingCase& each, const char* method) {
   const validation::PrivateFolder folder;
   const std::string said =
       bench::run_script("stiffness.py", asked(each), {method}, folder.path(), longest);
@@ -36,9 +36,9 @@ std::optional<double> run(const Case& each, const char* method) {
 
 }  // namespace
 
-std::optional<double> sympy_composed(const Case& each) { return run(each, "composed"); }
-std::optional<double> sympy_cancel(const Case& each) { return run(each, "cancel"); }
-std::optional<double> sympy_field(const Case& each) { return run(each, "field"); }
-std::optional<double> maxima_newdet(const Case& each) { return run(each, "newdet"); }
+std::optional<double> sympy_composed(const ScalingCase& each) { return run(each, "composed"); }
+std::optional<double> sympy_cancel(const ScalingCase& each) { return run(each, "cancel"); }
+std::optional<double> sympy_field(const ScalingCase& each) { return run(each, "field"); }
+std::optional<double> maxima_newdet(const ScalingCase& each) { return run(each, "newdet"); }
 
 }  // namespace vcrit::scaling

@@ -38,7 +38,7 @@ void run_simulators(const SimulatorOptions& options) {
   const std::vector<Case> cases = chosen_cases(options);
   const std::vector<Peer> peers = all_peers(options.quick);
   std::size_t done = 0;
-  const std::vector<Point> points =
+  const std::vector<PeerSolve> points =
       measure(cases, peers, options.budget, [&](const std::string& name) {
         fmt::print(stderr, "{}/{} {}\n", ++done, cases.size(), name);
       });

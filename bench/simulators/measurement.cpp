@@ -19,7 +19,7 @@ constexpr double accumulation = 1e3;
 constexpr double wrong_by_any_measure = 0.05;
 
 RunVerdict judged(const Peer& peer, const Peer::Setting& setting, const Case& row,
-                  const Answer& answer, double error) {
+                  const PeerAnswer& answer, double error) {
   const bool sliding = answer.events == 0 && row.events > 0 && !peer.idealised;
   if (sliding && row.grazing) return RunVerdict::missed_grazing;
   const double allowed =
@@ -33,21 +33,21 @@ RunVerdict refused(const std::string& words) {
 }
 
 // In a process of its own. The time limit is that of the first solve.
-bench::Numbers solved(const Case& row, const Peer::Setting& setting, double repeat) {
+bench::ChildNumbers solved(const Case& row, const Peer::Setting& setting, double repeat) {
   const double begin = bench::processor_time();
-  const Answer answer = setting.solve(row);
+  const PeerAnswer answer = setting.solve(row);
   const double first = bench::processor_time() - begin;
   bench::lift_time_limit();
   const double seconds = bench::settled_time([&] { setting.solve(row); }, first, repeat);
   return {answer.friction_ratio, static_cast<double>(answer.events), seconds};
 }
 
-Point measured(const Case& row, const Peer& peer, const Peer::Setting& setting,
-               const Budget& budget) {
+PeerSolve measured(const Case& row, const Peer& peer, const Peer::Setting& setting,
+                   const Budget& budget) {
   const bench::Report report =
       bench::in_child({.time = std::chrono::duration<double>(budget.solve)},
                       [&] { return solved(row, setting, budget.repeat); });
-  Point point{&row, &peer, &setting};
+  PeerSolve point{&row, &peer, &setting};
   point.words = report.words;
   if (report.ending != bench::Ending::answered) {
     point.verdict = refused(report.words);
@@ -59,13 +59,13 @@ Point measured(const Case& row, const Peer& peer, const Peer::Setting& setting,
   point.friction_ratio = friction_ratio;
   point.error = std::abs(friction_ratio - row.friction_ratio);
   if (std::isnan(point.error)) point.error = HUGE_VAL;
-  const Answer answer{friction_ratio, static_cast<std::size_t>(events)};
+  const PeerAnswer answer{friction_ratio, static_cast<std::size_t>(events)};
   point.verdict = judged(peer, setting, row, answer, point.error);
   return point;
 }
 
 void measure_peer(const Case& row, const Peer& peer, const Budget& budget,
-                  std::vector<Point>& points) {
+                  std::vector<PeerSolve>& points) {
   bool out_of_time = false;
   for (const Peer::Setting& setting : peer.settings) {
     if (out_of_time) {
@@ -98,9 +98,9 @@ const char* to_text(RunVerdict verdict) {
   throw Bug("a verdict is one of six");
 }
 
-std::vector<Point> measure(const std::vector<Case>& cases, const std::vector<Peer>& peers,
-                           const Budget& budget, const Progress& progress) {
-  std::vector<Point> points;
+std::vector<PeerSolve> measure(const std::vector<Case>& cases, const std::vector<Peer>& peers,
+                               const Budget& budget, const PeerProgress& progress) {
+  std::vector<PeerSolve> points;
   for (const Case& row : cases) {
     progress(row.name);
     for (const Peer& peer : peers)

@@ -24,7 +24,7 @@ enum class RunVerdict {
 const char* to_text(RunVerdict verdict);  ///< "right", "missed grazing", ...
 
 /// One solve.
-struct Point {
+struct PeerSolve {
   const Case* row = nullptr;
   const Peer* peer = nullptr;
   const Peer::Setting* setting = nullptr;
@@ -42,11 +42,11 @@ struct Budget {
 };
 
 /// Told what is about to be measured.
-using Progress = std::function<void(const std::string& words)>;
+using PeerProgress = std::function<void(const std::string& words)>;
 
 /// Where a setting is out of time on a row, the more accurate ones are not tried there. The points
 /// refer to the cases and peers, which must stay.
-std::vector<Point> measure(const std::vector<Case>& cases, const std::vector<Peer>& peers,
-                           const Budget& budget, const Progress& progress);
+std::vector<PeerSolve> measure(const std::vector<Case>& cases, const std::vector<Peer>& peers,
+                               const Budget& budget, const PeerProgress& progress);
 
 }  // namespace vcrit::simulators

@@ -21,7 +21,7 @@ Peer exact() {
   Peer peer{.name = exact_name};
   peer.settings.push_back({"", {}, [](const Case& row) {
                              const auto found = simulation::steady_state(row.system, row.velocity);
-                             return Answer{found.friction_ratio, found.events.size()};
+                             return PeerAnswer{found.friction_ratio, found.events.size()};
                            }});
   return peer;
 }
@@ -38,7 +38,7 @@ Peer cvode(const std::string& name, Multistep formula, bool newton,
         {fmt::format("{:.0e}", tolerance), tolerance, [=](const Case& row) {
            const auto found = cvode_steady_state(row.system, row.velocity,
                                                  {formula, tolerance, newton, period_limit});
-           return Answer{found.friction_ratio, static_cast<std::size_t>(found.events)};
+           return PeerAnswer{found.friction_ratio, static_cast<std::size_t>(found.events)};
          }});
   return peer;
 }
@@ -47,7 +47,7 @@ Peer::Setting setting(const std::string& name, Method method, const MethodOption
                       std::optional<double> tolerance = {}) {
   return {name, tolerance, [=](const Case& row) {
             const auto found = simulation::steady_state(method, row.system, row.velocity, options);
-            return Answer{found.friction_ratio, found.events.size()};
+            return PeerAnswer{found.friction_ratio, found.events.size()};
           }};
 }
 

@@ -10,7 +10,7 @@
 
 namespace vcrit::simulators {
 
-struct Answer {
+struct PeerAnswer {
   double friction_ratio = 0;
   std::size_t events = 0;  ///< of one period
 };
@@ -20,7 +20,7 @@ struct Peer {
   struct Setting {
     std::string name;                 ///< "1e-8", "2000 steps"
     std::optional<double> tolerance;  ///< asked for, where the method takes one
-    std::function<Answer(const Case&)> solve;
+    std::function<PeerAnswer(const Case&)> solve;
   };
 
   std::string name;

@@ -15,12 +15,12 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-bool clean(const Line& line) { return line.answered > 0 && line.failures.empty(); }
+bool clean(const SettingLine& line) { return line.answered > 0 && line.failures.empty(); }
 
 // Errors below this are rounding and of no account.
 constexpr double rounding = 1e-14;
 
-bool beats(const Line& a, const Line& b) {
+bool beats(const SettingLine& a, const SettingLine& b) {
   return clean(a) && a.seconds < b.seconds &&
          std::max(a.error, rounding) <= std::max(b.error, rounding);
 }
@@ -30,10 +30,10 @@ bool is_rival(const Peer& peer) {
   return peer.name.starts_with("GSL") || peer.name.starts_with("CVODE");
 }
 
-Line line_of(const std::vector<const Point*>& points) {
-  Line line{points.front()->peer, points.front()->setting};
+SettingLine line_of(const std::vector<const PeerSolve*>& points) {
+  SettingLine line{points.front()->peer, points.front()->setting};
   std::vector<double> times;
-  for (const Point* point : points) {
+  for (const PeerSolve* point : points) {
     ++line.rows;
     if (point->verdict != RunVerdict::right) ++line.failures[point->verdict];
     if (!point->answered) continue;
@@ -45,9 +45,9 @@ Line line_of(const std::vector<const Point*>& points) {
   return line;
 }
 
-Race race(const std::vector<Point>& points, const Case* row, double error) {
+Race race(const std::vector<PeerSolve>& points, const Case* row, double error) {
   Race result{row, {}, {}};
-  for (const Point& point : points) {
+  for (const PeerSolve& point : points) {
     if (point.row != row || !point.answered) continue;
     if (point.peer->name == exact_name) result.exact = point;
     if (!is_rival(*point.peer) || point.error > error) continue;
@@ -56,33 +56,34 @@ Race race(const std::vector<Point>& points, const Case* row, double error) {
   return result;
 }
 
-bool accurate(const Line& line, double error, std::size_t rows) {
+bool accurate(const SettingLine& line, double error, std::size_t rows) {
   return is_rival(*line.peer) && line.answered == rows && line.error <= error;
 }
 
 }  // namespace
 
-std::vector<Line> work_precision(const std::vector<Point>& points, const Taken& taken) {
-  std::vector<std::vector<const Point*>> groups;
-  for (const Point& point : points) {
+std::vector<SettingLine> work_precision(const std::vector<PeerSolve>& points, const Taken& taken) {
+  std::vector<std::vector<const PeerSolve*>> groups;
+  for (const PeerSolve& point : points) {
     if (!taken(*point.row)) continue;
     const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
       return group.front()->setting == point.setting;
     });
     (same == groups.end() ? groups.emplace_back() : *same).push_back(&point);
   }
-  std::vector<Line> lines;
+  std::vector<SettingLine> lines;
   for (const auto& group : groups) lines.push_back(line_of(group));
-  for (Line& line : lines)
-    line.front = clean(line) && std::none_of(lines.begin(), lines.end(),
-                                             [&](const Line& other) { return beats(other, line); });
+  for (SettingLine& line : lines)
+    line.front =
+        clean(line) && std::none_of(lines.begin(), lines.end(),
+                                    [&](const SettingLine& other) { return beats(other, line); });
   return lines;
 }
 
-Comparison compare(const std::vector<Point>& points, double error, const Taken& taken) {
-  Comparison result;
+PeerComparison compare(const std::vector<PeerSolve>& points, double error, const Taken& taken) {
+  PeerComparison result;
   std::vector<double> times, factors;
-  for (const Point& point : points) {
+  for (const PeerSolve& point : points) {
     if (point.peer->name != exact_name || !taken(*point.row)) continue;
     if (!point.answered) {
       result.largest_error = infinity;
@@ -96,7 +97,7 @@ Comparison compare(const std::vector<Point>& points, double error, const Taken& 
     else
       factors.push_back(result.races.back().factor());
   }
-  for (const Line& line : work_precision(points, taken))
+  for (const SettingLine& line : work_precision(points, taken))
     if (accurate(line, error, times.size()) &&
         (!result.one_setting || line.seconds < result.one_setting->seconds))
       result.one_setting = line;

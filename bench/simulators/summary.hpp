@@ -10,7 +10,7 @@
 namespace vcrit::simulators {
 
 /// One setting of one peer over the rows of a problem.
-struct Line {
+struct SettingLine {
   const Peer* peer = nullptr;
   const Peer::Setting* setting = nullptr;
   std::size_t rows = 0, answered = 0;
@@ -23,18 +23,18 @@ struct Line {
 /// Which rows count.
 using Taken = std::function<bool(const Case&)>;
 
-std::vector<Line> work_precision(const std::vector<Point>& points, const Taken& taken);
+std::vector<SettingLine> work_precision(const std::vector<PeerSolve>& points, const Taken& taken);
 
 /// On one row, the exact method and the fastest solve of GSL or CVODE with at most so large an
 /// error.
 struct Race {
   const Case* row = nullptr;
-  Point exact;
-  std::optional<Point> best;
+  PeerSolve exact;
+  std::optional<PeerSolve> best;
   double factor() const { return best ? best->seconds / exact.seconds : 0; }
 };
 
-struct Comparison {
+struct PeerComparison {
   double largest_error = 0;  ///< of the exact method; infinite where it gave no answer
   std::vector<Race> races;
   std::size_t lost = 0;          ///< rows on which no peer was accurate enough
@@ -42,9 +42,9 @@ struct Comparison {
   double least = 0, median = 0;  ///< of the factors, over rows where a peer was accurate enough
   /// The fastest setting that is accurate enough on every row, as one must choose it who does not
   /// know the answers.
-  std::optional<Line> one_setting;
+  std::optional<SettingLine> one_setting;
 };
 
-Comparison compare(const std::vector<Point>& points, double error, const Taken& taken);
+PeerComparison compare(const std::vector<PeerSolve>& points, double error, const Taken& taken);
 
 }  // namespace vcrit::simulators

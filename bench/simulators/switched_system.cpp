@@ -11,11 +11,11 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using simulation::Motion;
 
-Index SwitchedSystem::Network::size() const {
+Index SwitchedSystem::SwitchedNetwork::size() const {
   return static_cast<Index>(branches.size()) + (spring > 0 ? 1 : 0);
 }
 
-double SwitchedSystem::Network::glassy() const {
+double SwitchedSystem::SwitchedNetwork::glassy() const {
   double sum = spring;
   for (const MaxwellBranch& branch : branches) sum += branch.stiffness;
   return sum;
@@ -49,10 +49,10 @@ SwitchedSystem::SwitchedSystem(const simulation::System& system, double velocity
   backslip_ = slipping(-1);
 }
 
-SwitchedSystem::Network SwitchedSystem::scaled(const Relaxation& form, Index first) const {
+SwitchedSystem::SwitchedNetwork SwitchedSystem::scaled(const Relaxation& form, Index first) const {
   const double stiffness = velocity_unit_ / (omega_ * force_unit_);
-  Network network{form.equilibrium * stiffness, form.damper * stiffness * omega_, form.branches,
-                  first};
+  SwitchedNetwork network{form.equilibrium * stiffness, form.damper * stiffness * omega_,
+                          form.branches, first};
   for (MaxwellBranch& branch : network.branches) {
     branch.stiffness *= stiffness;
     branch.time *= omega_;
@@ -67,20 +67,20 @@ const LinearMotion& SwitchedSystem::motion(Motion motion) const {
 
 Row SwitchedSystem::unit(Index column) const { return Row::Unit(states_ + 3, column); }
 
-Row SwitchedSystem::elastic(const Network& network) const {
+Row SwitchedSystem::elastic(const SwitchedNetwork& network) const {
   Row sum = Row::Zero(states_ + 3);
   sum.segment(network.first, network.size()).setOnes();
   return sum;
 }
 
-Row SwitchedSystem::relaxing(const Network& network) const {
+Row SwitchedSystem::relaxing(const SwitchedNetwork& network) const {
   Row sum = Row::Zero(states_ + 3);
   Index column = network.first + (network.spring > 0 ? 1 : 0);
   for (const MaxwellBranch& branch : network.branches) sum(column++) = 1 / branch.time;
   return sum;
 }
 
-Row SwitchedSystem::elongation_rate(const Network& network, const Row& force,
+Row SwitchedSystem::elongation_rate(const SwitchedNetwork& network, const Row& force,
                                     const Row& force_rate) const {
   if (network.damper > 0) return (force - elastic(network)) / network.damper;
   return (force_rate + relaxing(network)) / network.glassy();
@@ -122,7 +122,7 @@ LinearMotion SwitchedSystem::sticking() const {
   return motion;
 }
 
-void SwitchedSystem::set_network(Eigen::MatrixXd& rates, const Network& network,
+void SwitchedSystem::set_network(Eigen::MatrixXd& rates, const SwitchedNetwork& network,
                                  const Row& rate) const {
   Index row = network.first;
   if (network.spring > 0) rates.row(row++) = network.spring * rate;
@@ -158,7 +158,7 @@ double SwitchedSystem::rate(const Row& quantity, Motion which, const VectorXd& y
          quantity(states_ + 1) * std::sin(t) + quantity(states_ + 2) * std::cos(t);
 }
 
-void SwitchedSystem::project(VectorXd& y, const Network& network, double force) const {
+void SwitchedSystem::project(VectorXd& y, const SwitchedNetwork& network, double force) const {
   if (network.damper > 0 || network.size() == 0) return;
   const auto stiffer = [](const MaxwellBranch& a, const MaxwellBranch& b) {
     return a.stiffness < b.stiffness;

@@ -55,30 +55,31 @@ class SwitchedSystem {
   simulation::Motion motion_of(const Eigen::VectorXd& y, double t) const;
 
  private:
-  struct Network {
+  struct SwitchedNetwork {
     double spring = 0, damper = 0;
     std::vector<MaxwellBranch> branches;
     Eigen::Index first = 0;  ///< its first state
     Eigen::Index size() const;
     double glassy() const;
   };
-  Network scaled(const Relaxation& form, Eigen::Index first) const;
+  SwitchedNetwork scaled(const Relaxation& form, Eigen::Index first) const;
   Row unit(Eigen::Index column) const;
-  Row elastic(const Network& network) const;   ///< k0 e + sum q_j
-  Row relaxing(const Network& network) const;  ///< sum q_j/tau_j
-  Row elongation_rate(const Network& network, const Row& force, const Row& force_rate) const;
+  Row elastic(const SwitchedNetwork& network) const;   ///< k0 e + sum q_j
+  Row relaxing(const SwitchedNetwork& network) const;  ///< sum q_j/tau_j
+  Row elongation_rate(const SwitchedNetwork& network, const Row& force,
+                      const Row& force_rate) const;
   Row stuck_body_velocity() const;
   LinearMotion slipping(double sign) const;
   LinearMotion sticking() const;
   void set_rates(LinearMotion& motion, const Row& elongation_rate, const Row& body) const;
-  void set_network(Eigen::MatrixXd& rates, const Network& network, const Row& rate) const;
-  void project(Eigen::VectorXd& y, const Network& network, double force) const;
+  void set_network(Eigen::MatrixXd& rates, const SwitchedNetwork& network, const Row& rate) const;
+  void project(Eigen::VectorXd& y, const SwitchedNetwork& network, double force) const;
 
   double force_unit_, velocity_unit_, omega_;
   double velocity_;  ///< of the drive
   double mass_ = 0;
   bool has_drive_, has_body_;
-  Network contact_, drive_;
+  SwitchedNetwork contact_, drive_;
   Eigen::Index states_ = 0;
   Row bound_, bound_rate_;
   LinearMotion slip_, stick_, backslip_;

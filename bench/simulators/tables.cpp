@@ -12,7 +12,7 @@ namespace vcrit::simulators {
 
 namespace {
 
-std::string failures(const Line& line) {
+std::string failures(const SettingLine& line) {
   std::string text;
   for (const auto& [verdict, count] : line.failures)
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", to_text(verdict), count);
@@ -33,7 +33,7 @@ double time_goal(const std::string& problem) {
   return problem == "P2" ? 20e-6 : 40e-6;
 }
 
-std::string line_against(const std::string& name, const Comparison& found, double goal) {
+std::string line_against(const std::string& name, const PeerComparison& found, double goal) {
   const double one_setting =
       found.one_setting ? found.one_setting->seconds / found.exact_median : 0;
   return fmt::format("{:<28} {:>4}  {:>10}  {:>8}  {:>8}  {:>8}  {:>7}  {:>11}  at least {}x {}\n",
@@ -44,7 +44,7 @@ std::string line_against(const std::string& name, const Comparison& found, doubl
                              (found.lost == found.races.size() || found.least >= goal)));
 }
 
-std::string races_below(const Comparison& found, double limit) {
+std::string races_below(const PeerComparison& found, double limit) {
   std::string text;
   for (const Race& race : found.races)
     if (race.best && race.factor() < limit)
@@ -63,11 +63,12 @@ std::string duration(double seconds) {
   return fmt::format("{:.2f} s", seconds);
 }
 
-std::string work_precision_table(const std::vector<Line>& lines, const std::string& problem) {
+std::string work_precision_table(const std::vector<SettingLine>& lines,
+                                 const std::string& problem) {
   std::string text =
       fmt::format("{}\n{:<24} {:<12} {:>10}  {:>13}  {:>8}  {:>5}  {}\n", problem, "method",
                   "setting", "time", "largest error", "answered", "front", "went wrong");
-  for (const Line& line : lines) {
+  for (const SettingLine& line : lines) {
     const bool any = line.answered > 0;
     text += fmt::format("{:<24} {:<12} {:>10}  {:>13}  {:>8}  {:>5}  {}\n", line.peer->name,
                         line.setting->name, any ? duration(line.seconds) : "-",
@@ -78,13 +79,13 @@ std::string work_precision_table(const std::vector<Line>& lines, const std::stri
   return text + "\n";
 }
 
-std::string summary_table(const std::vector<Case>& cases, const std::vector<Point>& points) {
+std::string summary_table(const std::vector<Case>& cases, const std::vector<PeerSolve>& points) {
   std::string text = fmt::format("{:<28} {:>4}  {:>10}  {:>8}  {:>8}  {:>8}  {:>7}  {:>11}  {}\n",
                                  "exact against GSL and CVODE", "rows", "exact", "error", "least",
                                  "median", "no peer", "one setting", "goal for the least");
   std::string slower, chosen;
   const auto add = [&](const std::string& name, double error, double goal, const auto& taken) {
-    const Comparison found = compare(points, error, taken);
+    const PeerComparison found = compare(points, error, taken);
     if (found.races.empty()) return;
     text += line_against(name, found, goal);
     slower += races_below(found, goal);
@@ -102,7 +103,7 @@ std::string summary_table(const std::vector<Case>& cases, const std::vector<Poin
   text += "\nrows below a goal\n" + (slower.empty() ? "  none\n" : slower);
   text += "\none exact steady state, median over the rows\n";
   for (const std::string& problem : problems(cases)) {
-    const Comparison found =
+    const PeerComparison found =
         compare(points, 0, [&](const Case& row) { return row.problem == problem; });
     text += fmt::format("  {}  {:>8}  goal {} {}\n", problem, duration(found.exact_median),
                         duration(time_goal(problem)),
@@ -140,8 +141,8 @@ std::string machine_lines(const validation::Machine& machine) {
   return text + "\n";
 }
 
-nlohmann::ordered_json as_json(const std::vector<Point>& points, const validation::Machine& machine,
-                               const Budget& budget) {
+nlohmann::ordered_json as_json(const std::vector<PeerSolve>& points,
+                               const validation::Machine& machine, const Budget& budget) {
   nlohmann::ordered_json result{{"processor", machine.processor},
                                 {"cores", machine.cores},
                                 {"system", machine.system},
@@ -149,7 +150,7 @@ nlohmann::ordered_json as_json(const std::vector<Point>& points, const validatio
                                 {"budget", budget.solve}};
   for (const auto& [name, version] : machine.versions) result["versions"][name] = version;
   result["points"] = nlohmann::ordered_json::array();
-  for (const Point& point : points) {
+  for (const PeerSolve& point : points) {
     nlohmann::ordered_json entry{{"problem", point.row->problem},
                                  {"row", point.row->name},
                                  {"method", point.peer->name},

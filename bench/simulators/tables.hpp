@@ -14,10 +14,10 @@ namespace vcrit::simulators {
 std::string duration(double seconds);
 
 /// Methods and settings on one problem, by method and accuracy.
-std::string work_precision_table(const std::vector<Line>& lines, const std::string& problem);
+std::string work_precision_table(const std::vector<SettingLine>& lines, const std::string& problem);
 
 /// The exact method against the goals that it was built for, and the rows that a peer did faster.
-std::string summary_table(const std::vector<Case>& cases, const std::vector<Point>& points);
+std::string summary_table(const std::vector<Case>& cases, const std::vector<PeerSolve>& points);
 
 /// The paper's reduced model less the full motion over delta and v0/v*, at D = 0.9/sqrt(1 +
 /// delta^2).
@@ -27,7 +27,7 @@ std::string reduced_model_table();
 validation::Machine benchmark_machine();
 std::string machine_lines(const validation::Machine& machine);
 
-nlohmann::ordered_json as_json(const std::vector<Point>& points, const validation::Machine& machine,
-                               const Budget& budget);
+nlohmann::ordered_json as_json(const std::vector<PeerSolve>& points,
+                               const validation::Machine& machine, const Budget& budget);
 
 }  // namespace vcrit::simulators

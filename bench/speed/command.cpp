@@ -36,20 +36,20 @@ void run_evaluators(const EvaluatorOptions& options) {
   const std::vector<Subject> subjects = chosen_subjects(options);
   const std::filesystem::path compiler = compiler_named(options.compiler);
   const validation::PrivateFolder folder;
-  Comparison all;
+  SpeedComparison all;
   all.compiler = validation::describe_compiler(compiler, folder.path());
   all.plan = options.plan;
   for (const Subject& subject : subjects) {
     fmt::print(stderr, "{}\n", subject.name);
     all.subjects.push_back(subject.name);
-    const std::vector<Evaluator> methods = evaluators(subject, compiler, all.missing);
-    for (const Mode mode : both_modes)
+    const std::vector<TimedMethod> methods = evaluators(subject, compiler, all.missing);
+    for (const CallMode mode : both_modes)
       for (Result& each : measure(subject, mode, methods, options.plan))
         all.results.push_back(std::move(each));
   }
   fmt::print("{}", heading(all));
-  for (const Mode mode : both_modes)
-    fmt::print("{}", table(all, mode, options.markdown ? Style::markdown : Style::text));
+  for (const CallMode mode : both_modes)
+    fmt::print("{}", table(all, mode, options.markdown ? TableStyle::markdown : TableStyle::text));
   fmt::print("{}", notes(all));
   if (!options.json.empty()) write_file(options.json, as_json(all).dump(1) + "\n");
 }

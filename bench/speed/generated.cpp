@@ -55,8 +55,8 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
-std::string function_name(const std::string& grade, const Call& call, Mode mode) {
-  return replaced(grade + "_" + call.name, " ", "_") + (mode == Mode::sweep ? "_sweep" : "");
+std::string function_name(const std::string& grade, const Call& call, CallMode mode) {
+  return replaced(grade + "_" + call.name, " ", "_") + (mode == CallMode::sweep ? "_sweep" : "");
 }
 
 /// Assignments to the members of `p`, one a column; %: the column.
@@ -94,8 +94,8 @@ std::string driver(const Subject& subject) {
       "extern \"C\" void prepare(Inputs x, std::size_t n, double*, double*) {\n"
       "  sets.clear();\n  for (std::size_t i = 0; i < n; ++i) sets.push_back(at(x, i));\n"
       "  gradients.resize(n);\n}\n";
-  const auto add = [&](const std::string& grade, const Call& call, Mode mode) {
-    const bool sweep = mode == Mode::sweep;
+  const auto add = [&](const std::string& grade, const Call& call, CallMode mode) {
+    const bool sweep = mode == CallMode::sweep;
     out += fmt::format(
         "extern \"C\" void {}(Inputs x, std::size_t n, double* out, double* extra) {{\n"
         "  [[maybe_unused]] const std::span<double> results(out, n), bounds(extra, n);\n"
@@ -106,13 +106,13 @@ std::string driver(const Subject& subject) {
   };
   for (const char* grade : {"accurate", "fast"})
     for (const Call& call : calls())
-      for (const Mode mode : both_modes) add(grade, call, mode);
+      for (const CallMode mode : both_modes) add(grade, call, mode);
   return out;
 }
 
 }  // namespace
 
-std::vector<Evaluator> generated(const Subject& subject, const std::filesystem::path& compiler) {
+std::vector<TimedMethod> generated(const Subject& subject, const std::filesystem::path& compiler) {
   const validation::PrivateFolder folder;
   write_file(folder.path() / "problem.hpp",
              symbolic::emit_header(symbolic::derive(subject.problem), "problem"));
@@ -122,11 +122,11 @@ std::vector<Evaluator> generated(const Subject& subject, const std::filesystem::
   const auto library =
       std::make_shared<const Library>(compiler, Flags::generated(), folder.path() / "driver.cpp");
   const Function prepare = library->function("prepare");
-  std::vector<Evaluator> all;
-  const auto add = [&](const std::string& grade, const Call& call, Mode mode) {
-    Evaluator each = evaluator("vcrit " + grade + ", " + call.name, mode, library,
-                               function_name(grade, call, mode));
-    each.family = Family::own;
+  std::vector<TimedMethod> all;
+  const auto add = [&](const std::string& grade, const Call& call, CallMode mode) {
+    TimedMethod each = evaluator("vcrit " + grade + ", " + call.name, mode, library,
+                                 function_name(grade, call, mode));
+    each.family = MethodFamily::own;
     each.prepare = [prepare](const Samples& samples) {
       prepare(samples.columns(), samples.size(), nullptr, nullptr);
     };
@@ -134,7 +134,7 @@ std::vector<Evaluator> generated(const Subject& subject, const std::filesystem::
   };
   for (const char* grade : {"accurate", "fast"})
     for (const Call& call : calls())
-      for (const Mode mode : both_modes) add(grade, call, mode);
+      for (const CallMode mode : both_modes) add(grade, call, mode);
   return all;
 }
 

@@ -120,7 +120,7 @@ void run_on_samples(GiNaC::FUNCP_CUBA function, const Samples& samples, int colu
   std::vector<double> x(static_cast<std::size_t>(columns));
   const int one = 1;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (i == 0 || samples.mode() == Mode::varying)
+    if (i == 0 || samples.mode() == CallMode::varying)
       for (std::size_t j = 0; j < x.size(); ++j) x[j] = samples.columns()[j][i];
     x[omega_column] = samples.columns()[omega_column][i];
     function(&columns, x.data(), &one, out + i);
@@ -129,9 +129,9 @@ void run_on_samples(GiNaC::FUNCP_CUBA function, const Samples& samples, int colu
 
 }  // namespace
 
-std::vector<Evaluator> ginac(const Subject& subject) {
+std::vector<TimedMethod> ginac(const Subject& subject) {
   const Formula all = formula(subject);
-  std::vector<Evaluator> result;
+  std::vector<TimedMethod> result;
   for (const auto& [name, flags] : {std::pair{"GiNaC compile_ex", ""},
                                     std::pair{"GiNaC compile_ex, -O3", "-O3 -march=native"}}) {
     const CompilerFlags environment(flags);
@@ -139,8 +139,8 @@ std::vector<Evaluator> ginac(const Subject& subject) {
     GiNaC::FUNCP_CUBA function = nullptr;
     GiNaC::compile_ex(all.value, all.symbols, function);
     const int columns = static_cast<int>(subject.columns.size());
-    for (const Mode mode : both_modes) {
-      Evaluator each;
+    for (const CallMode mode : both_modes) {
+      TimedMethod each;
       each.method = name;
       each.mode = mode;
       each.run = [function, columns](const Samples& samples, double* out, double*) {

@@ -53,19 +53,19 @@ void take_turns(std::vector<Timed>& all, double seconds) {
 
 bool Result::wrong() const { return !(error < 1e-10 / 0x1p-52); }
 
-std::vector<Result> measure(const Subject& subject, Mode mode, const std::vector<Evaluator>& all,
-                            const Plan& plan) {
+std::vector<Result> measure(const Subject& subject, CallMode mode,
+                            const std::vector<TimedMethod>& all, const Plan& plan) {
   const Samples samples(subject, mode, plan.values);
   const std::vector<double> exact = reference(subject, samples);
   std::vector<double> out(plan.values), extra(plan.values * (subject.columns.size() + 1));
   std::vector<Result> results;
   std::vector<Timed> times;
-  for (const Evaluator& each : all) {
+  for (const TimedMethod& each : all) {
     if (each.mode != mode) continue;
     each.prepare(samples);
     out.assign(out.size(), 0);
     times.emplace_back([&] { each.run(samples, out.data(), extra.data()); });
-    const double error = each.family == Family::machine ? 0 : worst_error(out, exact);
+    const double error = each.family == MethodFamily::machine ? 0 : worst_error(out, exact);
     results.push_back({subject.name, each.method, mode, each.family, 0, error});
   }
   take_turns(times, plan.seconds);

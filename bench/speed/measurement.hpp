@@ -15,15 +15,15 @@ struct Plan {
 
 struct Result {
   std::string subject, method;
-  Mode mode = Mode::sweep;
-  Family family = Family::peer;
+  CallMode mode = CallMode::sweep;
+  MethodFamily family = MethodFamily::peer;
   double nanoseconds = 0;  ///< a value
   double error = 0;        ///< the worst, in units of the last place; 0 for the machine's limits
   bool wrong() const;      ///< relative error above 1e-10
 };
 
 /// Evaluators of other modes are left out.
-std::vector<Result> measure(const Subject& subject, Mode mode, const std::vector<Evaluator>& all,
-                            const Plan& plan);
+std::vector<Result> measure(const Subject& subject, CallMode mode,
+                            const std::vector<TimedMethod>& all, const Plan& plan);
 
 }  // namespace vcrit::speed

@@ -13,10 +13,10 @@ std::vector<std::string> with_scene(std::vector<std::string> flags, const Subjec
 
 }  // namespace
 
-Evaluator evaluator(const std::string& method, Mode mode, std::shared_ptr<const Library> library,
-                    const std::string& function) {
+TimedMethod evaluator(const std::string& method, CallMode mode,
+                      std::shared_ptr<const Library> library, const std::string& function) {
   const Function call = library->function(function);
-  Evaluator result;
+  TimedMethod result;
   result.method = method;
   result.mode = mode;
   result.run = [library, call](const Samples& samples, double* out, double* extra) {
@@ -45,8 +45,8 @@ std::vector<std::string> all_methods() {
   return names;
 }
 
-std::vector<Evaluator> loops_by_hand(const Subject& subject,
-                                     const std::filesystem::path& compiler) {
+std::vector<TimedMethod> loops_by_hand(const Subject& subject,
+                                       const std::filesystem::path& compiler) {
   const auto built = [&](const char* source, const std::vector<std::string>& flags) {
     return std::make_shared<const Library>(compiler, with_scene(flags, subject),
                                            peer_source(source));
@@ -58,37 +58,38 @@ std::vector<Evaluator> loops_by_hand(const Subject& subject,
   exact_flags.emplace_back("-DVCRIT_EXACT_DRIVE");
   const auto exact = built("real_loop.cpp", exact_flags);
   const auto polynomial = built("polynomial_loop.cpp", Flags::by_hand());
-  std::vector<Evaluator> all;
-  for (const Mode mode : both_modes) {
-    const std::string function = mode == Mode::sweep ? "sweep" : "varying";
+  std::vector<TimedMethod> all;
+  for (const CallMode mode : both_modes) {
+    const std::string function = mode == CallMode::sweep ? "sweep" : "varying";
     all.push_back(evaluator("std::complex", mode, complex, function));
     all.push_back(evaluator("std::complex, fast-math", mode, unsafe, function));
     all.push_back(evaluator("by hand, real parts", mode, real, function));
     all.push_back(evaluator("by hand, k_d - m w^2 exact", mode, exact, function));
   }
-  all.push_back(evaluator("by hand, even and odd in w", Mode::sweep, polynomial, "even_and_odd"));
-  all.push_back(evaluator("by hand, squares in w^2", Mode::sweep, polynomial, "squares"));
+  all.push_back(
+      evaluator("by hand, even and odd in w", CallMode::sweep, polynomial, "even_and_odd"));
+  all.push_back(evaluator("by hand, squares in w^2", CallMode::sweep, polynomial, "squares"));
   return all;
 }
 
-std::vector<Evaluator> machine_limits(const std::filesystem::path& compiler) {
+std::vector<TimedMethod> machine_limits(const std::filesystem::path& compiler) {
   const auto library =
       std::make_shared<const Library>(compiler, Flags::by_hand(), peer_source("limits.cpp"));
-  std::vector<Evaluator> all;
+  std::vector<TimedMethod> all;
   for (const char* name : {"division", "root", "both"})
-    for (const Mode mode : both_modes) {
+    for (const CallMode mode : both_modes) {
       all.push_back(evaluator(std::string("machine, ") + name, mode, library, name));
-      all.back().family = Family::machine;
+      all.back().family = MethodFamily::machine;
     }
   return all;
 }
 
-std::vector<Evaluator> evaluators(const Subject& subject, const std::filesystem::path& compiler,
-                                  std::vector<Missing>& missing) {
-  std::vector<Evaluator> all;
+std::vector<TimedMethod> evaluators(const Subject& subject, const std::filesystem::path& compiler,
+                                    std::vector<MissingMethod>& missing) {
+  std::vector<TimedMethod> all;
   const auto add = [&](const char* what, const auto& make) {
     try {
-      for (Evaluator& each : make()) all.push_back(std::move(each));
+      for (TimedMethod& each : make()) all.push_back(std::move(each));
     } catch (const std::exception& error) {
       missing.push_back({subject.name, what, error.what()});
     }

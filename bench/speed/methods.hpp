@@ -13,39 +13,40 @@
 namespace vcrit::speed {
 
 /// machine: no evaluation, but what a division and a square root a value take.
-enum class Family { peer, own, machine };
+enum class MethodFamily { peer, own, machine };
 
 /// How one method evaluates one problem.
-struct Evaluator {
+struct TimedMethod {
   std::string method;
-  Mode mode = Mode::sweep;
-  Family family = Family::peer;
+  CallMode mode = CallMode::sweep;
+  MethodFamily family = MethodFamily::peer;
   std::function<void(const Samples&, double* out, double* extra)> run;
   /// What a caller would have at hand before: not timed.
   std::function<void(const Samples&)> prepare = [](const Samples&) {};
 };
 
 /// Methods that could not be built, with the reason.
-struct Missing {
+struct MissingMethod {
   std::string subject, method, reason;
 };
 
 /// Rows of the table.
 std::vector<std::string> all_methods();
 
-std::vector<Evaluator> loops_by_hand(const Subject& subject, const std::filesystem::path& compiler);
-std::vector<Evaluator> machine_limits(const std::filesystem::path& compiler);
-std::vector<Evaluator> sympy(const Subject& subject, const std::filesystem::path& compiler);
-std::vector<Evaluator> ginac(const Subject& subject);
+std::vector<TimedMethod> loops_by_hand(const Subject& subject,
+                                       const std::filesystem::path& compiler);
+std::vector<TimedMethod> machine_limits(const std::filesystem::path& compiler);
+std::vector<TimedMethod> sympy(const Subject& subject, const std::filesystem::path& compiler);
+std::vector<TimedMethod> ginac(const Subject& subject);
 /// The calls of the generated library that its header has.
-std::vector<Evaluator> generated(const Subject& subject, const std::filesystem::path& compiler);
+std::vector<TimedMethod> generated(const Subject& subject, const std::filesystem::path& compiler);
 
 /// All of them.
-std::vector<Evaluator> evaluators(const Subject& subject, const std::filesystem::path& compiler,
-                                  std::vector<Missing>& missing);
+std::vector<TimedMethod> evaluators(const Subject& subject, const std::filesystem::path& compiler,
+                                    std::vector<MissingMethod>& missing);
 
 /// A function of a library, kept with it.
-Evaluator evaluator(const std::string& method, Mode mode, std::shared_ptr<const Library> library,
-                    const std::string& function);
+TimedMethod evaluator(const std::string& method, CallMode mode,
+                      std::shared_ptr<const Library> library, const std::string& function);
 
 }  // namespace vcrit::speed

@@ -24,7 +24,7 @@ Problem with_values(const Subject& subject, const Samples& samples, std::size_t 
 
 }  // namespace
 
-Samples::Samples(const Subject& subject, Mode mode, std::size_t size) : mode_(mode) {
+Samples::Samples(const Subject& subject, CallMode mode, std::size_t size) : mode_(mode) {
   std::mt19937_64 random(seed);
   for (const VariedParameter& column : subject.columns) {
     std::uniform_real_distribution exponent(std::log(column.least), std::log(column.greatest));
@@ -32,7 +32,8 @@ Samples::Samples(const Subject& subject, Mode mode, std::size_t size) : mode_(mo
     for (double& value : values) value = std::exp(exponent(random));
     columns_.push_back(std::move(values));
   }
-  if (mode == Mode::sweep) std::sort(columns_[omega_column].begin(), columns_[omega_column].end());
+  if (mode == CallMode::sweep)
+    std::sort(columns_[omega_column].begin(), columns_[omega_column].end());
   for (const std::vector<double>& column : columns_) pointers_.push_back(column.data());
 }
 

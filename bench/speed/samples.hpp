@@ -9,24 +9,24 @@
 namespace vcrit::speed {
 
 /// sweep: omega varies, all else is fixed. varying: every parameter varies.
-enum class Mode { sweep, varying };
-inline constexpr Mode both_modes[] = {Mode::sweep, Mode::varying};
+enum class CallMode { sweep, varying };
+inline constexpr CallMode both_modes[] = {CallMode::sweep, CallMode::varying};
 
 /// Structure of arrays: one column a parameter, with `size` values in each of them. In a sweep only
 /// that of omega is read beyond its first value.
 class Samples {
  public:
-  Samples(const Subject& subject, Mode mode, std::size_t size);
+  Samples(const Subject& subject, CallMode mode, std::size_t size);
 
-  Mode mode() const { return mode_; }
+  CallMode mode() const { return mode_; }
   std::size_t size() const { return columns_.front().size(); }
   const double* const* columns() const { return pointers_.data(); }
   double value(std::size_t column, std::size_t i) const {
-    return columns_[column][mode_ == Mode::sweep && column != omega_column ? 0 : i];
+    return columns_[column][mode_ == CallMode::sweep && column != omega_column ? 0 : i];
   }
 
  private:
-  Mode mode_;
+  CallMode mode_;
   std::vector<std::vector<double>> columns_;
   std::vector<const double*> pointers_;
 };

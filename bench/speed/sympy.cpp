@@ -27,15 +27,15 @@ nlohmann::json asked(const Subject& subject) {
 
 }  // namespace
 
-std::vector<Evaluator> sympy(const Subject& subject, const std::filesystem::path& compiler) {
+std::vector<TimedMethod> sympy(const Subject& subject, const std::filesystem::path& compiler) {
   const validation::PrivateFolder folder;
   const std::filesystem::path source = folder.path() / "loop.cpp";
   bench::run_script("sympy_loop.py", asked(subject), {source}, folder.path(), longest_cse);
-  std::vector<Evaluator> all;
+  std::vector<TimedMethod> all;
   const auto add = [&](const char* name, const std::vector<std::string>& flags) {
     const auto library = std::make_shared<const Library>(compiler, flags, source);
-    all.push_back(evaluator(name, Mode::sweep, library, "sweep"));
-    all.push_back(evaluator(name, Mode::varying, library, "varying"));
+    all.push_back(evaluator(name, CallMode::sweep, library, "sweep"));
+    all.push_back(evaluator(name, CallMode::varying, library, "varying"));
   };
   add("SymPy cse", Flags::scalar());
   add("SymPy cse, fast-math", Flags::unsafe());

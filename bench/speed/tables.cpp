@@ -10,9 +10,9 @@ namespace {
 
 using Row = bench::TextRow;
 
-const char* name_of(Mode mode) { return mode == Mode::sweep ? "sweep" : "all varying"; }
+const char* name_of(CallMode mode) { return mode == CallMode::sweep ? "sweep" : "all varying"; }
 
-const Result* find(const Comparison& all, Mode mode, const std::string& subject,
+const Result* find(const SpeedComparison& all, CallMode mode, const std::string& subject,
                    const std::string& method) {
   for (const Result& each : all.results)
     if (each.mode == mode && each.subject == subject && each.method == method) return &each;
@@ -30,21 +30,21 @@ std::string error_text(double ulp) {
 std::string cell(const Result* result) {
   if (result == nullptr) return "-";
   if (result->wrong()) return "wrong";
-  if (result->family == Family::machine) return time_text(result->nanoseconds);
+  if (result->family == MethodFamily::machine) return time_text(result->nanoseconds);
   return fmt::format("{}, {}", time_text(result->nanoseconds), error_text(result->error));
 }
 
-const Result* best_peer(const Comparison& all, Mode mode, const std::string& subject) {
+const Result* best_peer(const SpeedComparison& all, CallMode mode, const std::string& subject) {
   const Result* best = nullptr;
   for (const Result& each : all.results)
-    if (each.mode == mode && each.subject == subject && each.family == Family::peer &&
+    if (each.mode == mode && each.subject == subject && each.family == MethodFamily::peer &&
         !each.wrong() && (best == nullptr || each.nanoseconds < best->nanoseconds))
       best = &each;
   return best;
 }
 
 /// Best peer's time over ours.
-Row ratios(const Comparison& all, Mode mode, const std::string& grade) {
+Row ratios(const SpeedComparison& all, CallMode mode, const std::string& grade) {
   Row row{"best other / vcrit " + grade};
   for (const std::string& subject : all.subjects) {
     const Result* best = best_peer(all, mode, subject);
@@ -55,7 +55,7 @@ Row ratios(const Comparison& all, Mode mode, const std::string& grade) {
   return row;
 }
 
-Row best_row(const Comparison& all, Mode mode) {
+Row best_row(const SpeedComparison& all, CallMode mode) {
   Row row{"best other"};
   for (const std::string& subject : all.subjects) {
     const Result* best = best_peer(all, mode, subject);
@@ -64,7 +64,7 @@ Row best_row(const Comparison& all, Mode mode) {
   return row;
 }
 
-std::vector<Row> rows(const Comparison& all, Mode mode) {
+std::vector<Row> rows(const SpeedComparison& all, CallMode mode) {
   std::vector<Row> result{{name_of(mode)}};
   for (const std::string& subject : all.subjects) result.front().push_back(subject);
   for (const std::string& method : all_methods()) {
@@ -87,7 +87,7 @@ std::vector<std::pair<std::string, std::string>> all_flags() {
 
 }  // namespace
 
-std::string heading(const Comparison& all) {
+std::string heading(const SpeedComparison& all) {
   const validation::Machine machine = validation::this_machine();
   std::string out = fmt::format("{}, {} cores, one used; {}\n{}\n", machine.processor,
                                 machine.cores, machine.system, all.compiler);
@@ -98,24 +98,24 @@ std::string heading(const Comparison& all) {
   return out;
 }
 
-std::string table(const Comparison& all, Mode mode, Style style) {
+std::string table(const SpeedComparison& all, CallMode mode, TableStyle style) {
   const std::vector<Row> body = rows(all, mode);
   std::string out = "\n" + bench::text_table(body, style) + "\n";
   const Row best = best_row(all, mode);
   for (std::size_t j = 1; j < best.size(); ++j)
-    out += fmt::format("{}best other on {}: {}\n", style == Style::text ? "" : "* ",
+    out += fmt::format("{}best other on {}: {}\n", style == TableStyle::text ? "" : "* ",
                        all.subjects[j - 1], best[j]);
   return out;
 }
 
-std::string notes(const Comparison& all) {
+std::string notes(const SpeedComparison& all) {
   std::string out;
-  for (const Missing& each : all.missing)
+  for (const MissingMethod& each : all.missing)
     out += fmt::format("{}, {}: {}\n", each.subject, each.method, each.reason);
   return out.empty() ? out : "\nnot measured\n" + out;
 }
 
-nlohmann::ordered_json as_json(const Comparison& all) {
+nlohmann::ordered_json as_json(const SpeedComparison& all) {
   using Json = nlohmann::ordered_json;
   const validation::Machine machine = validation::this_machine();
   Json json{{"processor", machine.processor}, {"system", machine.system},
@@ -131,7 +131,7 @@ nlohmann::ordered_json as_json(const Comparison& all) {
                                {"nanoseconds", each.nanoseconds},
                                {"ulp", each.error},
                                {"wrong", each.wrong()}});
-  for (const Missing& each : all.missing)
+  for (const MissingMethod& each : all.missing)
     json["missing"].push_back(
         {{"problem", each.subject}, {"method", each.method}, {"reason", each.reason}});
   return json;

@@ -10,24 +10,24 @@
 
 namespace vcrit::speed {
 
-struct Comparison {
+struct SpeedComparison {
   std::string compiler;  ///< "g++ (Debian 12.2.0-14) 12.2.0"
   Plan plan;
   std::vector<std::string> subjects;
   std::vector<Result> results;
-  std::vector<Missing> missing;
+  std::vector<MissingMethod> missing;
 };
 
-using bench::Style;
+using bench::TableStyle;
 
 /// Machine, compiler and flags.
-std::string heading(const Comparison& all);
+std::string heading(const SpeedComparison& all);
 /// Methods by problems: nanoseconds a value, and the worst error in ulp; then the fastest of the
 /// other methods, and how many times faster ours are.
-std::string table(const Comparison& all, Mode mode, Style style);
+std::string table(const SpeedComparison& all, CallMode mode, TableStyle style);
 /// What is not in the tables, and why.
-std::string notes(const Comparison& all);
+std::string notes(const SpeedComparison& all);
 
-nlohmann::ordered_json as_json(const Comparison& all);
+nlohmann::ordered_json as_json(const SpeedComparison& all);
 
 }  // namespace vcrit::speed

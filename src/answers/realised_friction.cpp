@@ -164,8 +164,8 @@ double error_by_fit(const Asked& asked, const Realisation& realised, double omeg
   return realised.caution() * error;
 }
 
-realisation::Body body_of(const Problem& problem) {
-  return problem->mass ? realisation::Body::heavy : realisation::Body::none;
+realisation::BodyMass body_of(const Problem& problem) {
+  return problem->mass ? realisation::BodyMass::heavy : realisation::BodyMass::none;
 }
 
 /// Of the structure between two rows, by a straight line as the table is read.

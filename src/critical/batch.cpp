@@ -136,7 +136,7 @@ class CriticalVelocities::Formula::Call {
 
   void place(const Varying& varying, std::span<const double> values);
   void run_constant_operations();
-  void apply(const Operation& operation);
+  void apply(const BatchOperation& operation);
   void load(std::size_t first, std::size_t count);
   void require_usual(Column column);
   double certified(std::size_t lane);
@@ -150,7 +150,7 @@ class CriticalVelocities::Formula::Call {
   std::vector<bool> varies_;       // which columns change from block to block
   std::vector<Moving> moving_;
   std::vector<std::span<const double>> unknown_;  // without effect on v*, but for NaN
-  std::vector<const Operation*> each_block_;
+  std::vector<const BatchOperation*> each_block_;
   bool always_lost_ = false;
   std::optional<Certified> certified_;
 };
@@ -196,7 +196,7 @@ void CriticalVelocities::Formula::Call::place(const Varying& varying,
 }
 
 void CriticalVelocities::Formula::Call::run_constant_operations() {
-  for (const Operation& operation : operations_.list) {
+  for (const BatchOperation& operation : operations_.list) {
     const bool varies = std::any_of(operation.in.begin(), operation.in.end(),
                                     [this](Column column) { return varies_[column]; });
     if (varies)
@@ -213,13 +213,13 @@ void CriticalVelocities::Formula::Call::require_usual(Column column) {
   if (column != operations_.poisson) kernels::kernels().outside_range(lost_, at_[column]);
 }
 
-void CriticalVelocities::Formula::Call::apply(const Operation& operation) {
-  using Kind = Operation::Kind;
+void CriticalVelocities::Formula::Call::apply(const BatchOperation& operation) {
+  using Kind = BatchOperation::Kind;
   const kernels::Kernels& run = kernels::kernels();
   const auto in = [&](std::size_t i) { return at_[operation.in[i]]; };
-  const auto pair = [&](std::size_t i) { return kernels::Stiffness{in(i), in(i + 1)}; };
+  const auto pair = [&](std::size_t i) { return kernels::StiffnessLanes{in(i), in(i + 1)}; };
   double* const out = columns_[operation.out[0]];
-  const kernels::Result both{out, columns_[operation.out[1]]};
+  const kernels::LanesResult both{out, columns_[operation.out[1]]};
   switch (operation.kind) {
     case Kind::multiply:
       return run.multiply(out, in(0), in(1));
@@ -273,7 +273,7 @@ void CriticalVelocities::Formula::Call::run(std::span<double> out) {
   for (std::size_t first = 0; first < out.size(); first += lanes) {
     const std::size_t count = std::min(lanes, out.size() - first);
     load(first, count);
-    for (const Operation* operation : each_block_) apply(*operation);
+    for (const BatchOperation* operation : each_block_) apply(*operation);
     for (std::size_t i = 0; i < count; ++i)
       if (lost_[i] != 0) result[i] = certified(first + i);
     std::copy_n(result, count, out.data() + first);

@@ -12,19 +12,19 @@ namespace vcrit::kernels {
 inline constexpr std::size_t lanes = 128;
 
 /// Storage and loss stiffness of `lanes` scenes (N/m).
-struct Stiffness {
+struct StiffnessLanes {
   const double* storage;
   const double* loss;
 };
 
-struct Result {
+struct LanesResult {
   double* storage;
   double* loss;
 };
 
 /// What v* needs beside the stiffnesses, a column each.
 struct Drive {
-  Stiffness network;
+  StiffnessLanes network;
   const double* mass;  ///< kg; null without a body
   const double* omega;
   bool exact_contact, exact_drive;  ///< a single spring: its stiffness has no error
@@ -35,18 +35,18 @@ struct Kernels {
   void (*divide)(double* out, const double* a, const double* b);
   void (*add)(double* out, const double* a, const double* b);
   /// k i x/(1 + i x), x = omega tau
-  void (*maxwell)(Result out, const double* k, const double* tau, const double* omega);
+  void (*maxwell)(LanesResult out, const double* k, const double* tau, const double* omega);
   /// a b/(a + b), sums of nonnegatives throughout
-  void (*series)(Result out, Stiffness a, Stiffness b);
+  void (*series)(LanesResult out, StiffnessLanes a, StiffnessLanes b);
   /// a b/total
-  void (*mesh)(Result out, Stiffness a, Stiffness b, Stiffness total);
+  void (*mesh)(LanesResult out, StiffnessLanes a, StiffnessLanes b, StiffnessLanes total);
   /// 2 (1 - nu)/(2 - nu); lost[i] becomes 1 where nu is not above -1 and up to 0.5.
   void (*isotropic)(double* out, double* lost, const double* poisson);
   /// out = |a|/|b|
-  void (*modulus_ratio)(double* out, Stiffness a, Stiffness b);
+  void (*modulus_ratio)(double* out, StiffnessLanes a, StiffnessLanes b);
   /// out = |K_t + K_d - m omega^2|/|K_d - m omega^2|; lost[i] becomes 1 where more than the factor
   /// `worst_cancellation` of the stiffnesses' accuracy is lost.
-  void (*drive_factor)(double* out, double* lost, Stiffness tangential, const Drive& drive);
+  void (*drive_factor)(double* out, double* lost, StiffnessLanes tangential, const Drive& drive);
   /// lost[i] becomes 1 where x is not within the usual range.
   void (*outside_range)(double* lost, const double* x);
 };

@@ -22,7 +22,7 @@ void add_lanes(double* __restrict out, const double* a, const double* b) {
   for (std::size_t i = 0; i < lanes; ++i) out[i] = a[i] + b[i];
 }
 
-void maxwell_lanes(Result out, const double* k, const double* tau, const double* omega) {
+void maxwell_lanes(LanesResult out, const double* k, const double* tau, const double* omega) {
   double* __restrict storage = out.storage;
   double* __restrict loss = out.loss;
   for (std::size_t i = 0; i < lanes; ++i) {
@@ -34,7 +34,7 @@ void maxwell_lanes(Result out, const double* k, const double* tau, const double*
 }
 
 // 1/(1/a + 1/b) = (a |b|^2 + b |a|^2)/|a + b|^2 in both components.
-void series_lanes(Result out, Stiffness a, Stiffness b) {
+void series_lanes(LanesResult out, StiffnessLanes a, StiffnessLanes b) {
   double* __restrict storage = out.storage;
   double* __restrict loss = out.loss;
   for (std::size_t i = 0; i < lanes; ++i) {
@@ -47,7 +47,7 @@ void series_lanes(Result out, Stiffness a, Stiffness b) {
   }
 }
 
-void mesh_lanes(Result out, Stiffness a, Stiffness b, Stiffness total) {
+void mesh_lanes(LanesResult out, StiffnessLanes a, StiffnessLanes b, StiffnessLanes total) {
   double* __restrict storage = out.storage;
   double* __restrict loss = out.loss;
   for (std::size_t i = 0; i < lanes; ++i) {
@@ -67,7 +67,7 @@ void isotropic_lanes(double* __restrict out, double* __restrict lost, const doub
   }
 }
 
-void modulus_ratio_lanes(double* __restrict out, Stiffness a, Stiffness b) {
+void modulus_ratio_lanes(double* __restrict out, StiffnessLanes a, StiffnessLanes b) {
   for (std::size_t i = 0; i < lanes; ++i) {
     const double above = a.storage[i] * a.storage[i] + a.loss[i] * a.loss[i];
     const double below = b.storage[i] * b.storage[i] + b.loss[i] * b.loss[i];
@@ -82,16 +82,16 @@ inline double minus_inertia_of_lane(double stiffness, double mass, double omega)
   return (stiffness - inertia) - (inertia_error + mass * square_error);
 }
 
-void massless_factor_lanes(double* __restrict out, Stiffness t, Stiffness d) {
+void massless_factor_lanes(double* __restrict out, StiffnessLanes t, StiffnessLanes d) {
   for (std::size_t i = 0; i < lanes; ++i) {
     const double re = t.storage[i] + d.storage[i], im = t.loss[i] + d.loss[i];
     out[i] = std::sqrt((re * re + im * im) / (d.storage[i] * d.storage[i] + d.loss[i] * d.loss[i]));
   }
 }
 
-void drive_factor_lanes(double* __restrict out, double* __restrict lost, Stiffness t,
+void drive_factor_lanes(double* __restrict out, double* __restrict lost, StiffnessLanes t,
                         const Drive& drive) {
-  const Stiffness d = drive.network;
+  const StiffnessLanes d = drive.network;
   if (drive.mass == nullptr) return massless_factor_lanes(out, t, d);
   const double of_contact = drive.exact_contact ? 0 : 1, of_drive = drive.exact_drive ? 0 : 1;
   constexpr double worst = worst_cancellation * worst_cancellation;

@@ -18,7 +18,7 @@ struct Pair {
 class Recorder {
  public:
   using Value = Pair;
-  using Kind = Operation::Kind;
+  using Kind = BatchOperation::Kind;
 
   explicit Recorder(Symbol omega) : omega_(std::move(omega)) {}
 
@@ -91,7 +91,7 @@ struct InColumns {
     const Column given = recorder.parameter(isotropic.quantity.symbol);
     if (isotropic.by == Isotropic::By::ratio) return given;
     recorder.written().poisson = given;
-    return recorder.single(Operation::Kind::isotropic, {given});
+    return recorder.single(BatchOperation::Kind::isotropic, {given});
   }
   Pair normal() const { return evaluate(problem->normal.reduction(), recorder); }
   Pair tangential(const ReducedNetwork& own) const { return evaluate(own.reduction(), recorder); }
@@ -102,17 +102,17 @@ struct InColumns {
     throw Bug("a mount has no columns");
   }
   void divide(Column& v, Column ratio) const {
-    v = recorder.single(Operation::Kind::divide, {v, ratio});
+    v = recorder.single(BatchOperation::Kind::divide, {v, ratio});
   }
   void times_quotient(Column& v, Pair n, Pair t) const {
-    v = recorder.multiply(
-        v, recorder.single(Operation::Kind::modulus_ratio, {n.storage, n.loss, t.storage, t.loss}));
+    v = recorder.multiply(v, recorder.single(BatchOperation::Kind::modulus_ratio,
+                                             {n.storage, n.loss, t.storage, t.loss}));
   }
   void times_drive(Column& v, Pair t, const ReducedNetwork& network) const {
     const Pair drive = evaluate(network.reduction(), recorder);
     const Column mass = problem->mass ? recorder.parameter(problem->mass->symbol) : zero_column;
     v = recorder.multiply(
-        v, recorder.single(Operation::Kind::drive_factor,
+        v, recorder.single(BatchOperation::Kind::drive_factor,
                            {t.storage, t.loss, drive.storage, drive.loss, mass, recorder.omega()}));
   }
   static void times_drive(Column&, Pair, const Receptance&) {

@@ -17,7 +17,7 @@ using Column = std::size_t;
 /// The column of zeros: the loss of a spring, the storage of a damper.
 inline constexpr Column zero_column = 0;
 
-struct Operation {
+struct BatchOperation {
   /// The kernels of the same names.
   enum class Kind {
     multiply,
@@ -36,7 +36,7 @@ struct Operation {
 };
 
 struct Operations {
-  std::vector<Operation> list;          ///< in the order in which they can run
+  std::vector<BatchOperation> list;     ///< in the order in which they can run
   std::map<Symbol, Column> parameters;  ///< those that v* depends on
   std::size_t columns = 1;
   Column result = zero_column;

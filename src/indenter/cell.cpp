@@ -94,8 +94,8 @@ double counted_edge(const HalfSpace& half_space) {
                                      half_space.amplitude() * (1 - shallow));
 }
 
-Course course(const HalfSpace& half_space, double x, double velocity) {
-  Course result{};
+MotionCounts course(const HalfSpace& half_space, double x, double velocity) {
+  MotionCounts result{};
   const double depth = half_space.depth(x);
   if (empty(half_space, depth)) return result;
   simulation::Answers answers(half_space.cell_under(depth));

@@ -34,7 +34,7 @@ CellFriction cell_friction(const HalfSpace& half_space, double x, double velocit
 double counted_edge(const HalfSpace& half_space);
 
 /// How often each motion begins in a period; where this changes with x, friction is not smooth.
-using Course = std::array<int, 4>;
-Course course(const HalfSpace& half_space, double x, double velocity);
+using MotionCounts = std::array<int, 4>;
+MotionCounts course(const HalfSpace& half_space, double x, double velocity);
 
 }  // namespace vcrit::indenter

@@ -15,7 +15,7 @@ constexpr int most_changes = 8;       // between two samples
 
 struct Sample {
   double x = 0;
-  Course course{};
+  MotionCounts course{};
 };
 
 // Between two samples of different course, each found by bisection.

@@ -50,7 +50,7 @@ struct Scheme {
 
   Scheme() {
     find_nodes();
-    using Wide = linear::Matrix<long double>;
+    using Wide = linear::DenseMatrix<long double>;
     Wide powers(nodes_of_step, nodes_of_step), integrals = powers, legendre = powers;
     for (int i = 0; i < nodes_of_step; ++i)
       for (int j = 0; j < nodes_of_step; ++j) {
@@ -141,9 +141,9 @@ constexpr int most_iterations = 12;
 
 }  // namespace
 
-State TimeStep::at(double t) const {
+StateVector TimeStep::at(double t) const {
   const double share = (t - begin_) / length_;
-  State sum = powers_.col(powers_.cols() - 1);
+  StateVector sum = powers_.col(powers_.cols() - 1);
   for (Eigen::Index i = powers_.cols() - 2; i >= 0; --i) sum = sum * share + powers_.col(i);
   return from_ + share * sum;
 }
@@ -163,7 +163,7 @@ Collocation::Collocation(Rates rates, double tolerance, SharedEffort* whole)
       effort_(simulation::effort_of_state, whole),
       tolerance_(tolerance) {}
 
-void Collocation::slopes(double t, const State& x) {
+void Collocation::slopes(double t, const StateVector& x) {
   constexpr double nudge = 1e-7;  // about the root of a rounding, of numbers of about 1
   const Eigen::Index n = x.size();
   rate_.resize(n);
@@ -181,7 +181,7 @@ void Collocation::slopes(double t, const State& x) {
 }
 
 // The rates at the nodes, from one of the begin.
-bool Collocation::solve(double t, const State& x, double length) {
+bool Collocation::solve(double t, const StateVector& x, double length) {
   const Scheme& radau = scheme();
   const Eigen::Index n = x.size();
   // A step's equations for all stages fall apart into those of the modes.
@@ -227,7 +227,7 @@ double Collocation::fault(double length) const {
                       .lpNorm<Eigen::Infinity>();
 }
 
-TimeStep Collocation::step(double t, const State& x, double length) {
+TimeStep Collocation::step(double t, const StateVector& x, double length) {
   slopes(t, x);
   while (true) {
     if (!(length > shortest_step))

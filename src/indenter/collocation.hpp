@@ -10,8 +10,8 @@
 
 namespace vcrit::indenter {
 
-using State = Eigen::VectorXd;
-using Rates = std::function<void(double t, const State& x, State& rates)>;
+using StateVector = Eigen::VectorXd;
+using Rates = std::function<void(double t, const StateVector& x, StateVector& rates)>;
 
 /// One step, from t = begin to begin + length.
 class TimeStep {
@@ -21,7 +21,7 @@ class TimeStep {
   /// From there on the motion is another one.
   void end_at(double t) { end_ = t; }
 
-  State at(double t) const;
+  StateVector at(double t) const;
   struct WithRate {
     double value, rate;
   };
@@ -30,7 +30,7 @@ class TimeStep {
  private:
   friend class Collocation;
   double begin_ = 0, length_ = 0, end_ = 0;
-  State from_;
+  StateVector from_;
   Eigen::MatrixXd powers_;  ///< column i: of (t - begin)/length to the power of i + 1
 };
 
@@ -43,12 +43,12 @@ class Collocation {
   /// From x at t over `length` > 0, or less if the tolerance wants it. `next_length` is what the
   /// step after it may have. Throws ModelError where steps become too short, or too many
   /// (effort_of_state).
-  TimeStep step(double t, const State& x, double length);
+  TimeStep step(double t, const StateVector& x, double length);
   double next_length() const { return next_length_; }
 
  private:
-  bool solve(double t, const State& x, double length);
-  void slopes(double t, const State& x);
+  bool solve(double t, const StateVector& x, double length);
+  void slopes(double t, const StateVector& x);
   double fault(double length) const;
 
   Rates rates_;
@@ -56,7 +56,7 @@ class Collocation {
   double tolerance_, next_length_ = 0;
   /// stages_: rates at the nodes, one a column, as residual_ and change_ are.
   Eigen::MatrixXd jacobian_, stages_, residual_, change_;
-  State value_, rate_, moved_;
+  StateVector value_, rate_, moved_;
 };
 
 }  // namespace vcrit::indenter

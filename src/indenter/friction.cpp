@@ -76,7 +76,8 @@ auto within_effort(const HalfSpace& given, const Find& find) {
 }
 
 Friction of_all_cells(const HalfSpace& half_space, double velocity, double tolerance) {
-  const Integrals sum = integrals(half_space, velocity, changes(half_space, velocity), tolerance);
+  const PanelIntegrals sum =
+      integrals(half_space, velocity, changes(half_space, velocity), tolerance);
   const double outside =
       left_out(half_space) + depth_error(half_space) + 16 * epsilon * sum.normal_force;
   Friction result;
@@ -172,12 +173,13 @@ std::vector<IndentedPoint> friction_curve(const HalfSpace& half_space,
   return curve;
 }
 
-std::vector<Cell> cells(const HalfSpace& half_space, double velocity, int count, int samples) {
+std::vector<CellMotion> cells(const HalfSpace& half_space, double velocity, int count,
+                              int samples) {
   simulation::require_forward(velocity);
   if (count <= 0 || samples < 0)
     throw InputError({"cells"}, fmt::format("{} cells with {} samples", count, samples),
                      "one cell or more, and no samples or some");
-  std::vector<Cell> result(static_cast<std::size_t>(count));
+  std::vector<CellMotion> result(static_cast<std::size_t>(count));
   tbb::parallel_for(std::size_t{0}, result.size(), [&](std::size_t i) {
     const double x = half_space.edge() * static_cast<double>(i) / count;
     const simulation::System system = half_space.cell(x);

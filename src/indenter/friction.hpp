@@ -57,7 +57,7 @@ std::vector<IndentedPoint> friction_curve(const HalfSpace& half_space,
                                           std::span<const double> velocities,
                                           double tolerance = usual_tolerance);
 
-struct Cell {
+struct CellMotion {
   double x = 0;                   ///< m
   double mean_normal_force = 0;   ///< N/m
   simulation::SteadyState state;  ///< forces in N/m
@@ -65,7 +65,7 @@ struct Cell {
 
 /// `count` cells evenly spaced from 0 on, before the edge, where nothing may be pressed; with
 /// `samples` points of each cycle.
-std::vector<Cell> cells(const HalfSpace& half_space, double velocity, int count, int samples);
+std::vector<CellMotion> cells(const HalfSpace& half_space, double velocity, int count, int samples);
 
 /// What is asked of each cell; tests ask otherwise.
 using OnsetOfCell = std::function<simulation::Onset(const simulation::System&)>;

@@ -124,7 +124,7 @@ double HeldCells::pulled(const Eigen::ArrayXd& relaxed, Eigen::Index step, doubl
 
 // The body's numbers: by how much it is slower than the drive, if it has a mass; the forces of the
 // drive's spring and branches. Then those of the cells' branches, one branch after the other.
-HeldCells::Period HeldCells::period(State& state, double velocity, Effort& effort) const {
+HeldCells::Period HeldCells::period(StateVector& state, double velocity, Effort& effort) const {
   Period result;
   const Eigen::Index spring = holder_.mass > 0 ? 1 : 0;
   Eigen::Map<Eigen::ArrayXXd> forces(state.data() + body_, count_, branches_);
@@ -172,7 +172,7 @@ HeldCells::Period HeldCells::period(State& state, double velocity, Effort& effor
 }
 
 /// As it moves the friction: of all cells together.
-double HeldCells::size(const State& change) const {
+double HeldCells::size(const StateVector& change) const {
   return std::max(change.head(body_).lpNorm<Eigen::Infinity>(),
                   change.tail(change.size() - body_).lpNorm<1>());
 }
@@ -181,17 +181,17 @@ double HeldCells::size(const State& change) const {
 // guesses it, as what is left falls slowly where the body rings or cells relax slowly.
 HeldCells::Steady HeldCells::steady(double velocity, double sliding, SharedEffort* whole) const {
   Effort effort(simulation::effort_of_state, whole);
-  State now = State::Zero(body_ + count_ * branches_);
+  StateVector now = StateVector::Zero(body_ + count_ * branches_);
   if (holder_.spring > 0) now(holder_.mass > 0 ? 1 : 0) = bound_ / static_cast<double>(steps_);
   for (int i = 0; i < first_periods; ++i) period(now, std::max(velocity, sliding), effort);
-  std::vector<State> lacks, ends;
-  State best;
+  std::vector<StateVector> lacks, ends;
+  StateVector best;
   double least = infinity;
   Steady result;
   for (int i = 0, plain = 0, left_plain = 0; i < most_marched; ++i) {
-    State end = now;
+    StateVector end = now;
     const Period found = period(end, velocity, effort);
-    const State lack = end - now;
+    const StateVector lack = end - now;
     const double size_of_lack = size(lack);
     if (size_of_lack > most_worse * least) {  // a guess that led away: some periods without one
       left_plain = ++plain;
@@ -212,7 +212,7 @@ HeldCells::Steady HeldCells::steady(double velocity, double sliding, SharedEffor
       lacks.erase(lacks.begin());
       ends.erase(ends.begin());
     }
-    State next = end;
+    StateVector next = end;
     if (const auto n = static_cast<Eigen::Index>(lacks.size()) - 1; n > 0) {
       Eigen::MatrixXd of_lack(lack.size(), n), of_end(lack.size(), n);
       for (Eigen::Index j = 0; j < n; ++j) {
@@ -220,7 +220,7 @@ HeldCells::Steady HeldCells::steady(double velocity, double sliding, SharedEffor
         of_lack.col(j) = lacks[k + 1] - lacks[k];
         of_end.col(j) = ends[k + 1] - ends[k];
       }
-      const State guess = end - of_end * linear::PivotedQr(of_lack).solve(lack);
+      const StateVector guess = end - of_end * linear::PivotedQr(of_lack).solve(lack);
       result.open = std::max(result.open, size(guess - now));
       if (left_plain-- <= 0) next = guess;
     }

@@ -38,9 +38,9 @@ class HeldCells {
   };
 
   void place_cells(const HalfSpace& half_space, const MemoryCells& cells, double unit, int count);
-  Period period(State& state, double velocity, Effort& effort) const;
+  Period period(StateVector& state, double velocity, Effort& effort) const;
   double pulled(const Eigen::ArrayXd& relaxed, Eigen::Index step, double way, double& slope) const;
-  double size(const State& change) const;
+  double size(const StateVector& change) const;
 
   const ScaledHolder& holder_;
   Eigen::Index count_ = 0, steps_, branches_, body_;

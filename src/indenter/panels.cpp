@@ -63,13 +63,13 @@ class Quadrature {
   Quadrature(const HalfSpace& half_space, double velocity)
       : half_space_(half_space), velocity_(velocity), nodes_(all_nodes()) {}
 
-  Integrals run(const std::vector<double>& breaks, double tolerance) {
+  PanelIntegrals run(const std::vector<double>& breaks, double tolerance) {
     std::vector<SummedPanel> fresh;
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
       fresh.emplace_back(breaks[i], breaks[i + 1]);
     while (true) {
       evaluate(fresh);
-      const Integrals sum = summed();
+      const PanelIntegrals sum = summed();
       if (done(sum, tolerance) || sum.cells > most_cells) return sum;
       fresh = split(sum, tolerance);
       if (fresh.empty()) return sum;
@@ -103,8 +103,8 @@ class Quadrature {
     motions_.add(cell.motions);
   }
 
-  Integrals summed() const {
-    Integrals sum;
+  PanelIntegrals summed() const {
+    PanelIntegrals sum;
     for (const SummedPanel& panel : panels_) {
       sum.friction += panel.friction;
       sum.normal_force += panel.normal_force;
@@ -120,12 +120,12 @@ class Quadrature {
     return sum;
   }
 
-  static bool done(const Integrals& sum, double tolerance) {
+  static bool done(const PanelIntegrals& sum, double tolerance) {
     return sum.ratio_error <= tolerance && sum.normal_force_error <= tolerance * sum.normal_force;
   }
 
   // Takes out panels with more than their share of the error and returns their halves.
-  std::vector<SummedPanel> split(const Integrals& sum, double tolerance) {
+  std::vector<SummedPanel> split(const PanelIntegrals& sum, double tolerance) {
     const double ratio = sum.friction / sum.normal_force;
     const double share = tolerance * sum.normal_force / static_cast<double>(panels_.size());
     std::vector<SummedPanel> kept, halves;
@@ -155,8 +155,8 @@ class Quadrature {
 
 }  // namespace
 
-Integrals integrals(const HalfSpace& half_space, double velocity, const std::vector<double>& breaks,
-                    double tolerance) {
+PanelIntegrals integrals(const HalfSpace& half_space, double velocity,
+                         const std::vector<double>& breaks, double tolerance) {
   return Quadrature(half_space, velocity).run(breaks, tolerance);
 }
 

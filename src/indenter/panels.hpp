@@ -10,7 +10,7 @@
 namespace vcrit::indenter {
 
 /// Over all panels, from the middle to the edge.
-struct Integrals {
+struct PanelIntegrals {
   double friction = 0;            ///< N, of what friction divided by mu0 is
   double normal_force = 0;        ///< N
   double ratio_error = 0;         ///< of their quotient: estimate of the quadrature's error
@@ -24,7 +24,7 @@ struct Integrals {
 /// `breaks` in m, increasing from 0 to the edge. Panels are halved until `ratio_error` and the
 /// relative error of the normal force are below the tolerance, or lost in rounding errors.
 /// The same to the bit whatever the number of threads.
-Integrals integrals(const HalfSpace& half_space, double velocity, const std::vector<double>& breaks,
-                    double tolerance);
+PanelIntegrals integrals(const HalfSpace& half_space, double velocity,
+                         const std::vector<double>& breaks, double tolerance);
 
 }  // namespace vcrit::indenter

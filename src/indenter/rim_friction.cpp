@@ -62,7 +62,7 @@ class Cycle {
         tolerance_(tolerance) {}
 
   /// From a body at phase 0.
-  void find(const State& body) {
+  void find(const StateVector& body) {
     periods_.start(0, body);
     Period before{body, 0, 0};
     double impulse = 0;
@@ -94,7 +94,7 @@ class Cycle {
 
  private:
   struct Period {
-    State body;
+    StateVector body;
     double lack, impulse;
 
     double difference(const Period& other) const {
@@ -104,7 +104,7 @@ class Cycle {
   };
 
   /// Nothing where a cell remembers something in the end.
-  std::optional<State> after(const State& body) {
+  std::optional<StateVector> after(const StateVector& body) {
     trial_.start(phase_, body);
     trial_.run(phase_ + two_pi);
     return trial_.clear() ? std::optional(trial_.body()) : std::nullopt;
@@ -124,9 +124,9 @@ class Cycle {
     known_ = false;
     double least = infinity;
     for (int i = 0, no_better = 0; i < most_newton_steps && no_better < 3; ++i) {
-      const std::optional<State> next = after(body_);
+      const std::optional<StateVector> next = after(body_);
       if (!next) return false;
-      const State defect = *next - body_;
+      const StateVector defect = *next - body_;
       const double size = defect.lpNorm<Eigen::Infinity>();
       no_better = size < 0.5 * least ? 0 : no_better + 1;
       if (size < least) {
@@ -136,7 +136,7 @@ class Cycle {
         open_ = lever_ * size;
       }
       if (size <= tolerance_) return true;
-      const std::optional<State> step =
+      const std::optional<StateVector> step =
           no_better < 2 ? newton_step(defect, *next) : std::optional(defect);
       if (!step) return false;
       body_ += *step;
@@ -145,17 +145,17 @@ class Cycle {
   }
 
   // The map that was found last does for what a nudge of it would not see.
-  std::optional<State> newton_step(const State& defect, const State& next) {
+  std::optional<StateVector> newton_step(const StateVector& defect, const StateVector& next) {
     const Eigen::Index n = defect.size() - first_;
-    State step = State::Zero(defect.size());
+    StateVector step = StateVector::Zero(defect.size());
     if (n <= 0) return step;
     if (!known_ || defect.lpNorm<Eigen::Infinity>() > far_enough * tolerance_) {
       Eigen::MatrixXd map(n, n);
       for (Eigen::Index i = 0; i < n; ++i) {
         constexpr double nudge = 1e-6;  // the root of what a period is right to
-        State moved = body_;
+        StateVector moved = body_;
         moved(first_ + i) += nudge;
-        const std::optional<State> found = after(moved);
+        const std::optional<StateVector> found = after(moved);
         if (!found) return std::nullopt;
         map.col(i) = -(*found - next).tail(n) / nudge;
         map(i, i) += 1;
@@ -176,7 +176,7 @@ class Cycle {
   bool known_ = false;
   linear::Lu<double> map_;
   double phase_ = 0, impulse_ = 0, open_ = 0, lever_ = 1;
-  State body_;
+  StateVector body_;
   Shown shown_;
 };
 

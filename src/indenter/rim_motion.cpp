@@ -32,7 +32,8 @@ RimMotion::RimMotion(const ScaledContact& contact, const ScaledHolder& holder, d
       holder_(holder),
       velocity_(velocity),
       always_slides_(always_slides),
-      steps_([this](double t, const State& x, State& out) { rates(t, x, out); }, tolerance, whole) {
+      steps_([this](double t, const StateVector& x, StateVector& out) { rates(t, x, out); },
+             tolerance, whole) {
   spring_ = holder.mass > 0 ? 1 : 0;
   branches_ = spring_ + (holder.spring > 0 ? 1 : 0);
   body_ = branches_ + static_cast<Eigen::Index>(holder.branches.size());
@@ -119,18 +120,18 @@ double RimMotion::stuck_to(double t, double place) const {
 }
 
 /// The stiffness of the cells that stick.
-double RimMotion::sticking(double t, const State& state) const {
+double RimMotion::sticking(double t, const StateVector& state) const {
   if (mode_ == RimMode::apart) return 0;
   return contact_.stiffness(std::min(stuck_to(t, state(place_)), contact_.depth(t)));
 }
 
 /// Of the springs.
-double RimMotion::holding_force(const State& state) const {
+double RimMotion::holding_force(const StateVector& state) const {
   return state.segment(spring_, body_ - spring_).sum();
 }
 
 /// By how much the body is slower than the drive: small, where the drive is stiff.
-double RimMotion::behind(double t, const State& state) const {
+double RimMotion::behind(double t, const StateVector& state) const {
   if (holder_.mass > 0) return state(0);
   const double friction = contact_.force(t) - state(lack_);
   if (holder_.damper > 0) return (friction - holding_force(state)) / holder_.damper;
@@ -145,7 +146,7 @@ double RimMotion::behind(double t, const State& state) const {
   return (stuck * velocity_ + slides + relaxing) / (holder_.glassy() + stuck);
 }
 
-void RimMotion::rates(double t, const State& state, State& out) const {
+void RimMotion::rates(double t, const StateVector& state, StateVector& out) const {
   out.resize(state.size());
   const double pulled = behind(t, state), v = velocity_ - pulled;
   const double friction = contact_.force(t) - state(lack_);
@@ -168,9 +169,9 @@ void RimMotion::rates(double t, const State& state, State& out) const {
   out(impulse_) = friction;
 }
 
-void RimMotion::start(double t, const State& body) {
+void RimMotion::start(double t, const StateVector& body) {
   t_ = clear_since_ = t;
-  state_ = State::Zero(body_ + 3);
+  state_ = StateVector::Zero(body_ + 3);
   state_.head(body_) = body;
   mode_ = always_slides_ || contact_.depth(t) > 0 ? RimMode::forward : RimMode::apart;
   layers_.clear();
@@ -182,7 +183,7 @@ void RimMotion::start(double t, const State& body) {
 /// What is above 0 as long as a mode goes on: the velocity at which a rim slides; how far the
 /// level is from where the layer that slides next is used up; and while the indentation falls, the
 /// rim that is left.
-std::vector<double> RimMotion::margins(double t, const State& state) const {
+std::vector<double> RimMotion::margins(double t, const StateVector& state) const {
   const double v = speed(t, state), rate = contact_.depth_rate(t);
   if (mode_ == RimMode::apart || always_slides_) return {};
   if (mode_ == RimMode::stick) return {rate - v, rate + v};
@@ -194,7 +195,7 @@ std::vector<double> RimMotion::margins(double t, const State& state) const {
   return {slides, left, contact_.depth(t) - stuck_to(t, state(place_))};
 }
 
-double RimMotion::least_margin(double t, const State& state) const {
+double RimMotion::least_margin(double t, const StateVector& state) const {
   const std::vector<double> all = margins(t, state);
   return all.empty() ? 1 : *std::min_element(all.begin(), all.end());
 }

@@ -40,10 +40,10 @@ class RimMotion {
   Eigen::VectorXd energy_weights() const;
 
   /// All touching cells slide forward, and none remembers anything.
-  void start(double t, const State& body);
+  void start(double t, const StateVector& body);
   void run(double until);
 
-  State body() const { return state_.head(body_); }
+  StateVector body() const { return state_.head(body_); }
   double impulse() const { return state_(impulse_); }  ///< the integral of friction since start()
   double lack() const { return state_(lack_); }  ///< of friction, less than that of sliding cells
   double travel() const { return state_(place_); }  ///< of the body since then
@@ -54,7 +54,7 @@ class RimMotion {
   void show_anew() { shown_ = {}; }
 
   /// Of the body, at a time and state of a step.
-  double speed(double t, const State& state) const { return velocity_ - behind(t, state); }
+  double speed(double t, const StateVector& state) const { return velocity_ - behind(t, state); }
   /// Those of a motion that always slides, from start() on.
   const std::vector<TimeStep>& kept() const { return kept_; }
 
@@ -72,7 +72,7 @@ class RimMotion {
     double value = 0, slope = 0;
   };
 
-  double behind(double t, const State& state) const;
+  double behind(double t, const StateVector& state) const;
   int direction() const;
   double level(double t, double place, int d) const;
   double level_of(const Layer& layer, double depth, double touched, int d) const;
@@ -80,12 +80,12 @@ class RimMotion {
   double inner_level(const Layer& layer, int d) const;
   double touched_when(const Layer& layer, double level, int d) const;
   double stuck_to(double t, double place) const;
-  double sticking(double t, const State& state) const;
-  double holding_force(const State& state) const;
-  void rates(double t, const State& state, State& out) const;
+  double sticking(double t, const StateVector& state) const;
+  double holding_force(const StateVector& state) const;
+  void rates(double t, const StateVector& state, StateVector& out) const;
 
-  std::vector<double> margins(double t, const State& state) const;
-  double least_margin(double t, const State& state) const;
+  std::vector<double> margins(double t, const StateVector& state) const;
+  double least_margin(double t, const StateVector& state) const;
   bool ends_in(const TimeStep& step, double& at) const;
   void take(TimeStep step, bool ends);
   void change();
@@ -103,7 +103,7 @@ class RimMotion {
   Eigen::Index body_, spring_, branches_, place_, lack_, impulse_;
 
   double t_ = 0;
-  State state_;
+  StateVector state_;
   RimMode mode_ = RimMode::forward;
   std::vector<Layer> layers_;      ///< from the centre outwards
   std::vector<TimeStep> history_;  ///< of times at which cells touched and stuck

@@ -24,7 +24,7 @@ double Sliding::largest() const {
   return most;
 }
 
-State Sliding::after(const State& body) {
+StateVector Sliding::after(const StateVector& body) {
   motion_.start(0, body);
   motion_.run(two_pi);
   return motion_.body();
@@ -34,11 +34,11 @@ State Sliding::after(const State& body) {
 // of the friction, that number is none.
 void Sliding::find() {
   const Eigen::Index n = motion_.size();
-  const State zero = State::Zero(n), base = after(zero);
+  const StateVector zero = StateVector::Zero(n), base = after(zero);
   if (n == 0) return;  // a damper alone
   Eigen::MatrixXd map(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    State unit = zero;
+    StateVector unit = zero;
     unit(i) = 1;
     map.col(i) = unit - (after(unit) - base);
   }

@@ -15,7 +15,7 @@ class Sliding {
   Sliding(const ScaledContact& contact, const ScaledHolder& holder, double tolerance,
           SharedEffort* whole);
 
-  const State& body() const { return body_; }
+  const StateVector& body() const { return body_; }
   double mean_force() const;
   double mean_speed() const;
   double steps() const { return static_cast<double>(motion_.kept().size()); }
@@ -24,14 +24,14 @@ class Sliding {
   double largest() const;
 
  private:
-  State after(const State& body);
+  StateVector after(const StateVector& body);
   void find();
   double rise(double t, const TimeStep& step) const;
   double largest_in(const TimeStep& step) const;
 
   RimMotion motion_;
   const ScaledContact& contact_;
-  State body_;
+  StateVector body_;
 };
 
 }  // namespace vcrit::indenter

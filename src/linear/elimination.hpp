@@ -15,42 +15,43 @@ template <class Number>
 class Lu {
  public:
   Lu() = default;  ///< of no matrix yet
-  explicit Lu(const Matrix<Number>& a);
-  Vector<Number> solve(const Vector<Number>& right) const;
-  Matrix<Number> solve(const Matrix<Number>& right) const;
-  Matrix<Number> inverse() const;
+  explicit Lu(const DenseMatrix<Number>& a);
+  DenseVector<Number> solve(const DenseVector<Number>& right) const;
+  DenseMatrix<Number> solve(const DenseMatrix<Number>& right) const;
+  DenseMatrix<Number> inverse() const;
 
  private:
-  std::shared_ptr<const Eigen::PartialPivLU<Matrix<Number>>> factors_;
+  std::shared_ptr<const Eigen::PartialPivLU<DenseMatrix<Number>>> factors_;
 };
 
 /// The x with a x = right, with pivots of the whole matrix: of a singular a, one of them.
 template <class Number>
-Vector<Number> solve_fully_pivoted(const Matrix<Number>& a, const Vector<Number>& right);
+DenseVector<Number> solve_fully_pivoted(const DenseMatrix<Number>& a,
+                                        const DenseVector<Number>& right);
 
 /// a = L L^T of a positive definite a. Of another one L means nothing.
 class Cholesky {
  public:
-  explicit Cholesky(const Matrix<long double>& a);
-  Matrix<long double> lower() const;
-  Vector<long double> solve(const Vector<long double>& right) const;
+  explicit Cholesky(const DenseMatrix<long double>& a);
+  DenseMatrix<long double> lower() const;
+  DenseVector<long double> solve(const DenseVector<long double>& right) const;
   /// L^-1 right.
-  Matrix<long double> solve_lower(const Matrix<long double>& right) const;
+  DenseMatrix<long double> solve_lower(const DenseMatrix<long double>& right) const;
 
  private:
-  std::shared_ptr<const Eigen::LLT<Matrix<long double>, Eigen::Lower>> factors_;
+  std::shared_ptr<const Eigen::LLT<DenseMatrix<long double>, Eigen::Lower>> factors_;
 };
 
 /// P a P^T = L D L^T of a symmetric a without negative eigenvalues.
 class Ldlt {
  public:
-  explicit Ldlt(const Matrix<long double>& a);
-  Vector<long double> solve(const Vector<long double>& right) const;
-  Matrix<long double> shapes() const;    ///< P^T L: a = shapes D shapes^T
-  Vector<long double> diagonal() const;  ///< of D
+  explicit Ldlt(const DenseMatrix<long double>& a);
+  DenseVector<long double> solve(const DenseVector<long double>& right) const;
+  DenseMatrix<long double> shapes() const;    ///< P^T L: a = shapes D shapes^T
+  DenseVector<long double> diagonal() const;  ///< of D
 
  private:
-  std::shared_ptr<const Eigen::LDLT<Matrix<long double>, Eigen::Lower>> factors_;
+  std::shared_ptr<const Eigen::LDLT<DenseMatrix<long double>, Eigen::Lower>> factors_;
 };
 
 }  // namespace vcrit::linear

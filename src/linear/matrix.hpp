@@ -8,8 +8,8 @@
 namespace vcrit::linear {
 
 template <class Number>
-using Matrix = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
+using DenseMatrix = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
 template <class Number>
-using Vector = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
+using DenseVector = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
 
 }  // namespace vcrit::linear

@@ -12,72 +12,74 @@
 
 namespace vcrit::linear {
 
-Qr::Qr(const Matrix<double>& a)
-    : factors_(std::make_shared<Eigen::HouseholderQR<Matrix<double>>>(a)) {}
+Qr::Qr(const DenseMatrix<double>& a)
+    : factors_(std::make_shared<Eigen::HouseholderQR<DenseMatrix<double>>>(a)) {}
 
-Vector<double> Qr::solve(const Vector<double>& right) const { return factors_->solve(right); }
-
-Matrix<double> Qr::basis() const {
-  const auto& packed = factors_->matrixQR();
-  return factors_->householderQ() * Matrix<double>::Identity(packed.rows(), packed.cols());
+DenseVector<double> Qr::solve(const DenseVector<double>& right) const {
+  return factors_->solve(right);
 }
 
-Vector<double> Qr::turned(const Vector<double>& column) const {
+DenseMatrix<double> Qr::basis() const {
+  const auto& packed = factors_->matrixQR();
+  return factors_->householderQ() * DenseMatrix<double>::Identity(packed.rows(), packed.cols());
+}
+
+DenseVector<double> Qr::turned(const DenseVector<double>& column) const {
   return factors_->householderQ().adjoint() * column;
 }
 
-Matrix<double> Qr::upper() const {
+DenseMatrix<double> Qr::upper() const {
   const auto& packed = factors_->matrixQR();
   return packed.topRows(std::min(packed.rows(), packed.cols()))
       .template triangularView<Eigen::Upper>();
 }
 
-Matrix<double> Qr::inverse_upper() const {
+DenseMatrix<double> Qr::inverse_upper() const {
   const Eigen::Index n = factors_->matrixQR().cols();
   return factors_->matrixQR().topRows(n).template triangularView<Eigen::Upper>().solve(
-      Matrix<double>::Identity(n, n));
+      DenseMatrix<double>::Identity(n, n));
 }
 
-PivotedQr::PivotedQr(const Matrix<double>& a)
-    : factors_(std::make_shared<Eigen::ColPivHouseholderQR<Matrix<double>>>(a)) {}
+PivotedQr::PivotedQr(const DenseMatrix<double>& a)
+    : factors_(std::make_shared<Eigen::ColPivHouseholderQR<DenseMatrix<double>>>(a)) {}
 
-Vector<double> PivotedQr::solve(const Vector<double>& right) const {
+DenseVector<double> PivotedQr::solve(const DenseVector<double>& right) const {
   return factors_->solve(right);
 }
 
-Matrix<double> PivotedQr::range(double rank_cut) const {
-  Eigen::ColPivHouseholderQR<Matrix<double>> factors(*factors_);
+DenseMatrix<double> PivotedQr::range(double rank_cut) const {
+  Eigen::ColPivHouseholderQR<DenseMatrix<double>> factors(*factors_);
   factors.setThreshold(rank_cut);
-  return factors.householderQ() * Matrix<double>::Identity(factors.rows(), factors.rank());
+  return factors.householderQ() * DenseMatrix<double>::Identity(factors.rows(), factors.rank());
 }
 
-SymmetricEigen<long double> symmetric_eigen(const Matrix<long double>& a) {
-  const Eigen::SelfAdjointEigenSolver<Matrix<long double>> found(a);
+SymmetricEigen<long double> symmetric_eigen(const DenseMatrix<long double>& a) {
+  const Eigen::SelfAdjointEigenSolver<DenseMatrix<long double>> found(a);
   return {found.eigenvalues(), found.eigenvectors(), found.info() == Eigen::Success};
 }
 
-SymmetricEigen<double> symmetric_eigen(const Matrix<double>& a) {
+SymmetricEigen<double> symmetric_eigen(const DenseMatrix<double>& a) {
   const SymmetricEigen<long double> found =
-      symmetric_eigen(Matrix<long double>(a.cast<long double>()));
+      symmetric_eigen(DenseMatrix<long double>(a.cast<long double>()));
   return {found.values.cast<double>(), found.vectors.cast<double>(), found.converged};
 }
 
-GeneralEigen general_eigen(const Matrix<long double>& a) {
-  const Eigen::EigenSolver<Matrix<long double>> found(a);
+GeneralEigen general_eigen(const DenseMatrix<long double>& a) {
+  const Eigen::EigenSolver<DenseMatrix<long double>> found(a);
   if (found.info() != Eigen::Success) return {{}, {}, false};
   return {found.eigenvalues(), found.pseudoEigenvectors(), true};
 }
 
-Vector<std::complex<long double>> eigenvalues(const Matrix<long double>& a) {
-  return Eigen::EigenSolver<Matrix<long double>>(a, false).eigenvalues();
+DenseVector<std::complex<long double>> eigenvalues(const DenseMatrix<long double>& a) {
+  return Eigen::EigenSolver<DenseMatrix<long double>>(a, false).eigenvalues();
 }
 
 // By GSL: it is compiled already, and one-sided rotations find the small ones as well as the large.
-SingularValues singular_values(const Matrix<double>& a) {
+SingularValues singular_values(const DenseMatrix<double>& a) {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const auto n = static_cast<std::size_t>(a.cols());
   Rows u = a, v(a.cols(), a.cols());
-  Vector<double> sizes(a.cols());
+  DenseVector<double> sizes(a.cols());
   gsl_matrix_view u_view = gsl_matrix_view_array(u.data(), n, n);
   gsl_matrix_view v_view = gsl_matrix_view_array(v.data(), n, n);
   gsl_vector_view sizes_view = gsl_vector_view_array(sizes.data(), n);

@@ -161,7 +161,7 @@ class Run {
   std::set<std::size_t> asked_;    // being answered
   std::size_t last_ = 0;
   bool exhausted_ = false;
-  Progress progress_;
+  StreamProgress progress_;
   Streamed result_;
 };
 

@@ -10,7 +10,7 @@
 
 namespace vcrit::maps {
 
-struct Progress {
+struct StreamProgress {
   std::size_t rows = 0;         ///< of the whole sweep
   std::size_t done = 0;         ///< in the file
   std::size_t in_this_run = 0;  ///< of them, found since the start
@@ -19,7 +19,7 @@ struct Progress {
 struct StreamOptions {
   bool resume = false;
   int threads = 0;                              ///< 0: as many as there are cores for this process
-  std::function<void(const Progress&)> told{};  ///< after each block, on the first rank
+  std::function<void(const StreamProgress&)> told{};  ///< after each block, on the first rank
 };
 
 struct Streamed {

@@ -61,7 +61,7 @@ void EventFunction::count() const {
   if (effort_ != nullptr) effort_->spend(fixed_work + spectrum_->size());
 }
 
-EventFunction::Point EventFunction::at(const Factors& factors) const {
+EventFunction::Point EventFunction::at(const ModalFactors& factors) const {
   count();
   Point p{factors.duration(), value_, 0, 0, size_};
   const auto add = [&](double value, double slope, double curvature) {
@@ -90,7 +90,7 @@ EventFunction::Point EventFunction::at(const Factors& factors) const {
 }
 
 EventFunction::Point EventFunction::move_to(double t) {
-  here_ = Factors(*spectrum_, t);
+  here_ = ModalFactors(*spectrum_, t);
   const Point p = at(here_);
   slope_ = p.slope;
   return p;

@@ -31,7 +31,7 @@ class EventFunction {
     double noise = 0;  ///< bound on the rounding error of value
   };
   /// f after the duration of the factors, which are those of its spectrum.
-  Point at(const Factors& factors) const;
+  Point at(const ModalFactors& factors) const;
 
   const Spectrum& spectrum() const { return *spectrum_; }
 
@@ -67,7 +67,7 @@ class EventFunction {
   List<PairNumber, usual_pairs> pairs_;
   PairNumber sinusoid_;
 
-  Factors here_;  ///< of the present point
+  ModalFactors here_;  ///< of the present point
   double slope_ = 0;
 };
 

@@ -17,8 +17,8 @@ namespace vcrit::simulation {
 namespace {
 
 using WideReal = long double;
-using WideMatrix = linear::Matrix<WideReal>;
-using WideColumn = linear::Vector<WideReal>;
+using WideMatrix = linear::DenseMatrix<WideReal>;
+using WideColumn = linear::DenseVector<WideReal>;
 
 // Of the norm of A: what is left of a rate that is 0, of some dozen modes.
 constexpr WideReal no_rate = 2e-18L;
@@ -258,10 +258,10 @@ namespace {
 // (s - A)^-1 e_1 in numbers that hold s.
 template <class Number>
 List<std::complex<double>> response_in(const Dense<long double>& a, Number s) {
-  linear::Matrix<Number> shifted = -wide_matrix(a).cast<Number>();
+  linear::DenseMatrix<Number> shifted = -wide_matrix(a).cast<Number>();
   shifted.diagonal().array() += s;
-  const linear::Vector<Number> force = linear::Vector<Number>::Unit(shifted.rows(), 0),
-                               found = linear::solve_fully_pivoted(shifted, force);
+  const linear::DenseVector<Number> force = linear::DenseVector<Number>::Unit(shifted.rows(), 0),
+                                    found = linear::solve_fully_pivoted(shifted, force);
   List<std::complex<double>> result;
   for (const std::complex<WideReal> each : found)
     result.emplace_back(static_cast<double>(each.real()), static_cast<double>(each.imag()));

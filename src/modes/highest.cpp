@@ -35,7 +35,7 @@ class Ascent {
 
   static double least_step(double t) { return std::max(epsilon * t, 1e-300); }
 
-  EventFunction::Point at(double time) const { return f_.at(Factors(f_.spectrum(), time)); }
+  EventFunction::Point at(double time) const { return f_.at(ModalFactors(f_.spectrum(), time)); }
 
   void take(const EventFunction::Point& p) {
     highest_ = std::max(highest_, p.value);

@@ -8,7 +8,7 @@ Integrals<PairNumber> unmoved(double q) { return {PairNumber{1, 0, q}, {0, 0, q}
 
 }  // namespace
 
-Factors::Factors(const Spectrum& spectrum, double duration) : duration_(duration) {
+ModalFactors::ModalFactors(const Spectrum& spectrum, double duration) : duration_(duration) {
   if (duration == 0) {
     singles_.resize(spectrum.singles(), {1, 0, 0});
     for (const ModePair& pair : spectrum.pairs) pairs_.push_back(unmoved(pair.q));
@@ -21,7 +21,7 @@ Factors::Factors(const Spectrum& spectrum, double duration) : duration_(duration
     pairs_.push_back(integrals(pair.exponent, pair.receptance, pair.rate, duration));
 }
 
-Factors::Passed Factors::passed(ConstMatrixView z) const {
+ModalFactors::Passed ModalFactors::passed(ConstMatrixView z) const {
   const Index n = z.rows;
   Passed result(n, z.columns);
   for (Index j = 0; j < z.columns; ++j) {

@@ -43,10 +43,10 @@ struct Spectrum {
 };
 
 /// What a spectrum and the oscillation do over one duration.
-class Factors {
+class ModalFactors {
  public:
-  Factors() = default;
-  Factors(const Spectrum& spectrum, double duration);
+  ModalFactors() = default;
+  ModalFactors(const Spectrum& spectrum, double duration);
 
   double duration() const { return duration_; }
   const Integrals<double>& single(Index i) const { return singles_[i]; }
@@ -86,7 +86,7 @@ class Factors {
     ConstMatrixView twice() const { return times(2); }
 
    private:
-    friend Factors;
+    friend ModalFactors;
     ConstMatrixView times(Index integrals) const {
       return {numbers_.data() + integrals * rows_, rows_, columns_, 3 * rows_};
     }

@@ -25,7 +25,7 @@ double swung(ComplexDouble swing, PairNumber x) { return swing.real() * x.a - sw
 // What each unit takes up over a touch, from the decay of each branch and from the oscillation, per
 // unit of fluidity: strain at its end, and the integral of that.
 struct Uptake {
-  Uptake(const ContactModes& network, const Spectrum& branches, const Factors& factors)
+  Uptake(const ContactModes& network, const Spectrum& branches, const ModalFactors& factors)
       : strain(network.unit_rates.size(), branches.singles()), sum(strain) {
     const double duration = factors.duration();
     for (Index j = 0; j < strain.rows(); ++j) {
@@ -189,7 +189,7 @@ std::optional<double> NormalStays::lift_off(const NormalState& now, ConstView de
 // eps_j' = psi_j F - beta_j eps_j.
 void NormalStays::press(NormalState& now, const Matrix& decays, double duration,
                         NormalIntegrals& sums) const {
-  const Factors factors(branches_, duration);
+  const ModalFactors factors(branches_, duration);
   const ComplexDouble swing = swing_ * std::polar(1.0, now.time);
   const Index columns = decays.columns();
   effort_.spend(units() * decays.rows() * (convolution_work + Effort::of_products(2 * columns)));

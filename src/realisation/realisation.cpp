@@ -36,11 +36,11 @@ double noise_of(const CausalFit& fit, const std::vector<RowRange>& faults) {
 
 }  // namespace
 
-Realisation::Realisation(const Receptance& table, Body body)
+Realisation::Realisation(const Receptance& table, BodyMass body)
     : rows_(rows_of(table)), first_(table.rows.front().omega), last_(table.rows.back().omega) {
   judge_rows(table);
-  const FoundStructures found =
-      search(rows_, noise_, table.order, body == Body::heavy ? Damping::coupled : Damping::full);
+  const FoundStructures found = search(rows_, noise_, table.order,
+                                       body == BodyMass::heavy ? Damping::coupled : Damping::full);
   uncertainty_.emplace(rows_, found, noise_);
   structure_ = structure_of(found.best.shape, found.best.parameters);
   judge_fit(table);
@@ -165,10 +165,10 @@ std::optional<Structure> Realisation::with_hidden_mode(double omega) const {
   return found ? std::optional(in_si(*found)) : std::nullopt;
 }
 
-std::shared_ptr<const Realisation> realised(const Receptance& table, Body body) {
+std::shared_ptr<const Realisation> realised(const Receptance& table, BodyMass body) {
   struct Known {
     Receptance table;
-    Body body;
+    BodyMass body;
     std::shared_ptr<const Realisation> result;
   };
   static std::mutex lock;

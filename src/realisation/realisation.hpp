@@ -16,13 +16,13 @@ namespace vcrit::realisation {
 
 /// Whether the body, whose mass hangs on the structure, is there: without one no damper may couple
 /// the end to the masses (Damping::coupled), as its displacement would be a state of its own.
-enum class Body { heavy, none };
+enum class BodyMass { heavy, none };
 
 class Realisation {
  public:
   /// Throws InputError for a table most of whose rows give energy, for a static compliance less than
   /// that of the structure, and for an order that the rows cannot hold.
-  explicit Realisation(const Receptance& table, Body body = Body::heavy);
+  explicit Realisation(const Receptance& table, BodyMass body = BodyMass::heavy);
 
   const Structure& structure() const { return structure_; }  ///< SI: y in m, K_yy = 1 N/m
   int pairs() const { return static_cast<int>(structure_.modes()); }
@@ -64,6 +64,7 @@ class Realisation {
 };
 
 /// The same table is fitted once.
-std::shared_ptr<const Realisation> realised(const Receptance& table, Body body = Body::heavy);
+std::shared_ptr<const Realisation> realised(const Receptance& table,
+                                            BodyMass body = BodyMass::heavy);
 
 }  // namespace vcrit::realisation

@@ -25,13 +25,13 @@ constexpr double least_telling = 1e-9;
 // Twice Schwarz's price of a parameter: misfits of rounded numbers are no normal deviates (their
 // size steps tenfold with the decade), and a mode too many costs more than one too few that noise
 // hides.
-double criterion_of(const Shape& shape, const Rows& rows, double sum) {
+double criterion_of(const StructureShape& shape, const Rows& rows, double sum) {
   const auto numbers = static_cast<double>(2 * rows.size());
   return numbers * std::log(std::max(sum / numbers, least_telling * least_telling)) +
          2 * static_cast<double>(shape.parameters()) * std::log(numbers);
 }
 
-Minimum minimised(const Rows& rows, const Shape& shape, const VectorXd& start, int steps,
+Minimum minimised(const Rows& rows, const StructureShape& shape, const VectorXd& start, int steps,
                   double enough) {
   const LeastSquares problem{[&](const VectorXd& at, VectorXd& residual, Eigen::MatrixXd* slope) {
                                residuals(shape, rows, at, residual, slope);
@@ -50,11 +50,11 @@ class Orders {
         enough_(2 * static_cast<double>(few_.size()) * std::max(noise, least_misfit) *
                 std::max(noise, least_misfit)) {}
 
-  bool holds(Index modes) const { return Shape{modes}.parameters() < 2 * rows_.size(); }
+  bool holds(Index modes) const { return StructureShape{modes}.parameters() < 2 * rows_.size(); }
 
   void take(Index modes) {
     if (modes == 0) {
-      keep(minimum_from(Shape{}, {series_spring(few_)}), Shape{});
+      keep(minimum_from(StructureShape{}, {series_spring(few_)}), StructureShape{});
       return;
     }
     const Structure* less = last_modal_ ? &*last_modal_ : nullptr;
@@ -80,14 +80,15 @@ class Orders {
     double sum;
   };
 
-  Found descended(const Shape& shape, const Structure& start, int steps) const {
+  Found descended(const StructureShape& shape, const Structure& start, int steps) const {
     const Minimum minimum = minimised(few_, shape, parameters_of(shape, start), steps, enough_ / 2);
     return {structure_of(shape, minimum.parameters), minimum.sum};
   }
 
   // Best first, and the best followed on. Those that come after one that is as good as the noise
   // lets it be are not tried.
-  std::vector<Found> minimum_from(const Shape& shape, const std::vector<Structure>& starts) const {
+  std::vector<Found> minimum_from(const StructureShape& shape,
+                                  const std::vector<Structure>& starts) const {
     std::vector<Found> found;
     for (const Structure& start : starts) {
       if (start.modes() != shape.modes) continue;
@@ -110,7 +111,7 @@ class Orders {
               [](const Found& a, const Found& b) { return a.sum < b.sum; });
   }
 
-  std::vector<Structure> keep(std::vector<Found> found, const Shape& shape) {
+  std::vector<Structure> keep(std::vector<Found> found, const StructureShape& shape) {
     if (found.size() > best_starts) found.resize(best_starts);
     std::vector<Structure> best;
     for (const Found& each : found) best.push_back(each.structure);
@@ -124,7 +125,7 @@ class Orders {
   int all_row_steps() const { return rows_.size() == few_.size() ? 1 : 20; }
 
   std::vector<Structure> modal(Index modes, const std::vector<Structure>& starts) {
-    const Shape shape{modes, Damping::modal};
+    const StructureShape shape{modes, Damping::modal};
     std::vector<Found> found = minimum_from(shape, starts);
     found = with_shaken(shape, std::move(found));
     std::vector<Structure> best = keep(std::move(found), shape);
@@ -133,7 +134,7 @@ class Orders {
   }
 
   std::vector<Structure> full(Index modes, std::vector<Structure> starts) {
-    const Shape shape{modes, Damping::full};
+    const StructureShape shape{modes, Damping::full};
     if (last_full_)
       for (const double place : places_of_new_mode(few_, *last_full_))
         starts.push_back(with_mode(few_, *last_full_, place, 0.02));
@@ -145,7 +146,7 @@ class Orders {
   }
 
   void coupled(Index modes, const Structure& start) {
-    const Shape shape{modes, Damping::coupled};
+    const StructureShape shape{modes, Damping::coupled};
     std::vector<Structure> starts{start};
     for (const Structure& each : absorber_starts(few_, modes)) starts.push_back(each);
     if (last_coupled_)
@@ -154,7 +155,7 @@ class Orders {
     last_coupled_ = keep(minimum_from(shape, starts), shape).front();
   }
 
-  std::vector<Found> with_shaken(const Shape& shape, std::vector<Found> found) {
+  std::vector<Found> with_shaken(const StructureShape& shape, std::vector<Found> found) {
     const std::size_t first = found.size();
     for (std::size_t i = first; i < all_starts && !good_enough(found.front()); ++i) {
       Found next = descended(shape, shaken(found.front().structure, deviates_), start_steps);
@@ -192,7 +193,8 @@ bool allowed(const Candidate& rival, const Candidate& best) {
 
 }  // namespace
 
-Candidate refined(const Rows& rows, const Shape& shape, const VectorXd& parameters, int steps) {
+Candidate refined(const Rows& rows, const StructureShape& shape, const VectorXd& parameters,
+                  int steps) {
   const Minimum minimum = minimised(rows, shape, parameters, steps, 0);
   return {shape, minimum.parameters, minimum.sum, criterion_of(shape, rows, minimum.sum)};
 }

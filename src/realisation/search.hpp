@@ -12,7 +12,7 @@
 namespace vcrit::realisation {
 
 struct Candidate {
-  Shape shape;
+  StructureShape shape;
   Eigen::VectorXd parameters;
   double sum = 0;        ///< of squares of relative misfits, over all rows
   double criterion = 0;  ///< of Schwarz
@@ -31,7 +31,7 @@ FoundStructures search(const Rows& rows, double noise, std::optional<Eigen::Inde
                        Damping most_general);
 
 /// From these parameters on, over these rows.
-Candidate refined(const Rows& rows, const Shape& shape, const Eigen::VectorXd& parameters,
+Candidate refined(const Rows& rows, const StructureShape& shape, const Eigen::VectorXd& parameters,
                   int steps);
 
 constexpr Eigen::Index most_fitted_modes = 8;  ///< where the order is not given

@@ -17,12 +17,14 @@ using Eigen::VectorXd;
 
 // Where each group of parameters begins.
 constexpr Index phi_place = 2;
-Index frequency_place(const Shape& shape) { return phi_place + shape.modes; }
-Index factor_place(const Shape& shape) { return frequency_place(shape) + shape.modes; }
-Index lean_place(const Shape& shape) { return factor_place(shape) + shape.damping_parameters(); }
+Index frequency_place(const StructureShape& shape) { return phi_place + shape.modes; }
+Index factor_place(const StructureShape& shape) { return frequency_place(shape) + shape.modes; }
+Index lean_place(const StructureShape& shape) {
+  return factor_place(shape) + shape.damping_parameters();
+}
 
 template <class Use>
-void for_each_factor(const Shape& shape, const Use& use) {
+void for_each_factor(const StructureShape& shape, const Use& use) {
   Index place = factor_place(shape);
   for (Index column = 0; column < shape.modes; ++column)
     for (Index row = column; row < shape.modes; ++row)
@@ -85,7 +87,7 @@ class Balance {
 /// symmetric.
 class ResponseSlope {
  public:
-  ResponseSlope(const Shape& shape, const Structure& structure)
+  ResponseSlope(const StructureShape& shape, const Structure& structure)
       : shape_(shape), at_(structure), coupling_(structure.coupling()) {
     norm_ = std::sqrt(1 + at_.lean.squaredNorm());
   }
@@ -117,7 +119,7 @@ class ResponseSlope {
           -2.0 * u[0] * (at_.frequency[k] * q[k] / norm_ - at_.lean[k] * all);
   }
 
-  const Shape& shape_;
+  const StructureShape& shape_;
   const Structure& at_;
   VectorXd coupling_;
   double norm_;
@@ -154,7 +156,7 @@ MatrixXd Structure::stiffness_matrix() const {
 Complex Structure::response(double omega) const { return Balance(*this).response(omega); }
 
 double Structure::static_compliance() const {
-  const linear::Vector<long double> way = reach().cast<long double>();
+  const linear::DenseVector<long double> way = reach().cast<long double>();
   return static_cast<double>(
       way.dot(linear::Ldlt(stiffness_matrix().cast<long double>()).solve(way)));
 }
@@ -177,7 +179,7 @@ Structure plus_mode(const Structure& structure, const Mode& mode) {
   return more;
 }
 
-Structure structure_of(const Shape& shape, const VectorXd& parameters) {
+Structure structure_of(const StructureShape& shape, const VectorXd& parameters) {
   Structure structure;
   structure.alpha = parameters[0];
   structure.tau = std::exp(parameters[1]);
@@ -194,7 +196,7 @@ Structure structure_of(const Shape& shape, const VectorXd& parameters) {
   return structure;
 }
 
-VectorXd parameters_of(const Shape& shape, const Structure& structure) {
+VectorXd parameters_of(const StructureShape& shape, const Structure& structure) {
   VectorXd parameters(shape.parameters());
   parameters[0] = structure.alpha;
   parameters[1] = std::log(structure.tau);
@@ -209,7 +211,7 @@ VectorXd parameters_of(const Shape& shape, const Structure& structure) {
   return parameters;
 }
 
-void keep_in_reach(const Shape& shape, const Rows& rows, VectorXd& parameters) {
+void keep_in_reach(const StructureShape& shape, const Rows& rows, VectorXd& parameters) {
   // A mode a hundred times beyond the rows is a compliance or a mass to them. Without damping tau
   // is 0: what a billionth of the shortest period leaves of it is less than any digit of a table.
   constexpr double far = 4.6, farther = 20.7;
@@ -228,8 +230,8 @@ void keep_in_reach(const Shape& shape, const Rows& rows, VectorXd& parameters) {
   }
 }
 
-void residuals(const Shape& shape, const Rows& rows, const VectorXd& parameters, VectorXd& residual,
-               MatrixXd* slope) {
+void residuals(const StructureShape& shape, const Rows& rows, const VectorXd& parameters,
+               VectorXd& residual, MatrixXd* slope) {
   const Structure structure = structure_of(shape, parameters);
   const Index count = rows.size();
   Balance balance(structure);

@@ -22,7 +22,7 @@ enum class Damping {
   coupled,  ///< and z
 };
 
-struct Shape {
+struct StructureShape {
   Eigen::Index modes = 0;
   Damping damping = Damping::modal;
 
@@ -32,7 +32,7 @@ struct Shape {
   Eigen::Index parameters() const {
     return 2 + 2 * modes + damping_parameters() + (damping == Damping::coupled ? modes : 0);
   }
-  friend bool operator==(const Shape&, const Shape&) = default;
+  friend bool operator==(const StructureShape&, const StructureShape&) = default;
 };
 
 /// In the units of Rows.
@@ -61,15 +61,15 @@ struct Mode {
 Structure plus_mode(const Structure& structure, const Mode& mode);
 
 /// alpha, log tau, phi, log w, L by columns, z: as the fit moves them.
-Structure structure_of(const Shape& shape, const Eigen::VectorXd& parameters);
-Eigen::VectorXd parameters_of(const Shape& shape, const Structure& structure);
+Structure structure_of(const StructureShape& shape, const Eigen::VectorXd& parameters);
+Eigen::VectorXd parameters_of(const StructureShape& shape, const Structure& structure);
 
 /// Keeps frequencies and tau where the rows can tell anything of them.
-void keep_in_reach(const Shape& shape, const Rows& rows, Eigen::VectorXd& parameters);
+void keep_in_reach(const StructureShape& shape, const Rows& rows, Eigen::VectorXd& parameters);
 
 /// (R(i omega) - R_i) weight_i, real parts first; with `slope`, 2 rows x parameters, its
 /// derivatives.
-void residuals(const Shape& shape, const Rows& rows, const Eigen::VectorXd& parameters,
+void residuals(const StructureShape& shape, const Rows& rows, const Eigen::VectorXd& parameters,
                Eigen::VectorXd& residual, Eigen::MatrixXd* slope);
 
 }  // namespace vcrit::realisation

@@ -49,7 +49,7 @@ class Uncertainty {
   double misfit_beside(double omega) const;
 
   const Rows rows_;
-  Shape shape_;
+  StructureShape shape_;
   Eigen::VectorXd parameters_;
   Structure structure_;
   std::vector<Structure> rivals_, refits_;

@@ -199,7 +199,7 @@ class Lookup : public mustache::basic_context<std::string> {
 };
 
 Templates::Templates(std::string_view packed, std::string (*escape)(std::string_view),
-                     std::map<std::string, Format> formats)
+                     std::map<std::string, NumberFormat> formats)
     : escape_(escape), formats_(std::move(formats)) {
   while (!packed.empty()) {
     const auto name_end = packed.find('\0'), end = packed.find('\0', name_end + 1);

@@ -21,14 +21,14 @@
 namespace vcrit::record {
 
 /// A number as people read it; `argument` is what stands behind the format's name.
-using Format = std::string (*)(double value, const std::string& argument);
+using NumberFormat = std::string (*)(double value, const std::string& argument);
 
 class Templates {
  public:
   /// `packed`: name, zero, text, zero, the same again. `escape` makes a text safe where it is
   /// going.
   Templates(std::string_view packed, std::string (*escape)(std::string_view),
-            std::map<std::string, Format> formats = {});
+            std::map<std::string, NumberFormat> formats = {});
 
   /// Throws Bug for a template or a partial that is not there, a key that the record has not, and
   /// what is no Mustache.
@@ -38,7 +38,7 @@ class Templates {
   friend class Lookup;
   std::map<std::string, std::string, std::less<>> texts_;
   std::string (*escape_)(std::string_view);
-  std::map<std::string, Format> formats_;
+  std::map<std::string, NumberFormat> formats_;
 };
 
 }  // namespace vcrit::record

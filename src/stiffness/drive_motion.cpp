@@ -15,8 +15,8 @@ namespace vcrit {
 namespace {
 
 using MotionReal = long double;
-using MotionMatrix = linear::Matrix<MotionReal>;
-using MotionColumn = linear::Vector<MotionReal>;
+using MotionMatrix = linear::DenseMatrix<MotionReal>;
+using MotionColumn = linear::DenseVector<MotionReal>;
 
 // What is left of a mass's own stiffness by less than this share is none: rounding of the sums that
 // make it.

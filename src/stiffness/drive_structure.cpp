@@ -28,8 +28,8 @@ namespace vcrit {
 namespace {
 
 using StructureReal = long double;
-using DenseStructure = linear::Matrix<StructureReal>;
-using StructureColumn = linear::Vector<StructureReal>;
+using DenseStructure = linear::DenseMatrix<StructureReal>;
+using StructureColumn = linear::DenseVector<StructureReal>;
 
 constexpr std::size_t body_node = 0, far_node = 1;
 
@@ -358,8 +358,8 @@ DriveStructure stiffer(DriveStructure structure, double times) {
 
 std::vector<std::complex<long double>> displacements(const DriveStructure& structure,
                                                      std::complex<long double> s) {
-  using ComplexMatrix = linear::Matrix<std::complex<StructureReal>>;
-  using ComplexColumn = linear::Vector<std::complex<StructureReal>>;
+  using ComplexMatrix = linear::DenseMatrix<std::complex<StructureReal>>;
+  using ComplexColumn = linear::DenseVector<std::complex<StructureReal>>;
   check_sizes(structure);
   const std::size_t n = structure.mass.size();
   const auto at = [](std::size_t i) { return static_cast<Eigen::Index>(i); };

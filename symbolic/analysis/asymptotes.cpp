@@ -24,7 +24,7 @@ GiNaC::exmap coefficient_names(const std::vector<Line>& definitions) {
 }
 
 // Leading terms are powers of s with positive factors, which s = 1 leaves.
-Asymptote asymptote(const Model& model, bool high, const Abbreviations& abbreviated) {
+Asymptote asymptote(const SymbolicModel& model, bool high, const Abbreviations& abbreviated) {
   const Asymptotic amplitude = shortest_in(
       abbreviated, {},
       [&](const Change& change) { return model.asymptotic(high ? 1 : -1, change); },
@@ -44,7 +44,7 @@ Asymptote asymptote(const Model& model, bool high, const Abbreviations& abbrevia
 std::vector<Asymptote> asymptotes(const Derivation& derivation, const Abbreviations& names) {
   const AlgebraLock lock;
   if (!rules::answer(rules::Question::all_frequencies, derivation.problem)) return {};
-  const Model& model = *derivation.model;
+  const SymbolicModel& model = *derivation.model;
   // Z has no leading term that is short: that of m omega^2 alone is none of its own.
   const Abbreviations ratio{names.ratio, {}};
   return {asymptote(model, false, ratio), asymptote(model, true, ratio)};

@@ -68,7 +68,7 @@ std::optional<Decimals> decimals(const Problem& problem) {
 }
 
 /// Where a scene's symbols have their decimals; the others stay where they are.
-Point at_decimals(const Point& point, const Decimals& values) {
+ResiduePoint at_decimals(const ResiduePoint& point, const Decimals& values) {
   return [&point, &values](const std::string& symbol) {
     const auto found = values.find(symbol);
     return found == values.end() ? point(symbol) : Residue(found->second);
@@ -76,10 +76,11 @@ Point at_decimals(const Point& point, const Decimals& values) {
 }
 
 /// Whether both agree at all points where neither divides by 0.
-bool agree(const Model& a, const Decimals& a_values, const Model& b, const Decimals& b_values) {
+bool agree(const SymbolicModel& a, const Decimals& a_values, const SymbolicModel& b,
+           const Decimals& b_values) {
   std::uint64_t compared = 0;
   for (std::uint64_t number = 0; compared < points; ++number) {
-    const Point point = named_point(number);
+    const ResiduePoint point = named_point(number);
     const auto first = square_at(a, at_decimals(point, a_values));
     const auto second = square_at(b, at_decimals(point, b_values));
     if (!first || !second) continue;
@@ -89,13 +90,13 @@ bool agree(const Model& a, const Decimals& a_values, const Model& b, const Decim
   return true;
 }
 
-bool small(const Problem& problem, const Model& model) {
+bool small(const Problem& problem, const SymbolicModel& model) {
   return rules::answer(rules::Question::rational_form, problem) &&
          terms_before_squaring(model) <= terms_to_prove_by;
 }
 
 /// What is the same at all points, proved where it can be.
-Equality equal(Equality::Scope scope, bool proved, const Model& a, const Model& b) {
+Equality equal(Equality::Scope scope, bool proved, const SymbolicModel& a, const SymbolicModel& b) {
   Equality result;
   result.equal = true;
   result.scope = scope;
@@ -227,7 +228,7 @@ Equality compare(const Problem& a, const Problem& other) {
   refuse_two_tables(a, b);
   for (const Problem* problem : {&a, &b})
     rules::require(rules::Question::formula_of_all_values, *problem);
-  const Model first(a), second(b);
+  const SymbolicModel first(a), second(b);
   if (agree(first, {}, second, {})) {
     const bool proved = small(a, first) && small(b, second) &&
                         canonical_text(rational_form(first, terms_to_prove_by)) ==

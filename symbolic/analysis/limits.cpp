@@ -134,9 +134,9 @@ class Collector {
   }
   // The drive grows fast enough to outrun its own dampers on their way to zero. Where it shares
   // elements with the contact, values alone cannot make it rigid.
-  Rates rates(const Change& change) const {
+  GrowthExponents rates(const Change& change) const {
     if (change.ratio) return {};
-    Rates result = change.rates;
+    GrowthExponents result = change.rates;
     if (change.massless) result[problem_->mass->symbol] = -1;
     if (!change.rigid) return result;
     const std::set<Symbol> contact = contact_symbols(problem_);
@@ -199,7 +199,7 @@ class Collector {
   const Derivation& own_;
   const Abbreviations& names_;
   Problem problem_;
-  const Model& model_;
+  const SymbolicModel& model_;
   std::vector<ElementGroup> elements_;
   std::vector<Limit> limits_;
 };

@@ -22,7 +22,7 @@ struct Limit {
   Expression result;
   Expression shown;               ///< the same, in g and Z where these make it shorter
   std::vector<Line> definitions;  ///< as in Derivation
-  Rates rates;                    ///< a way to approach it; empty where values alone do not
+  GrowthExponents rates;          ///< a way to approach it; empty where values alone do not
 };
 
 /// Drive to rigid, mass to 0, each element (an array as one) to 0 and to infinity, all dampers to

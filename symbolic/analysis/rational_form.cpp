@@ -74,11 +74,11 @@ struct QuotientAlgebra {
 };
 
 /// The symbols of all polynomials, in natural order behind s and omega.
-std::vector<std::string> variables(const Model& model, const ex& amplitude) {
+std::vector<std::string> variables(const SymbolicModel& model, const ex& amplitude) {
   std::set<std::string> names;
   for (auto it = amplitude.preorder_begin(); it != amplitude.preorder_end(); ++it)
     if (GiNaC::is_a<GiNaC::symbol>(*it)) names.insert(GiNaC::ex_to<GiNaC::symbol>(*it).get_name());
-  for (const Part& part : model.networks()) {
+  for (const NamedNetwork& part : model.networks()) {
     if (names.erase(own_name(part.name)) == 0) continue;
     for (const Symbol& each : symbols_of(part.network.network())) names.insert(to_text(each));
   }
@@ -132,15 +132,15 @@ RationalForm squared_form(const std::shared_ptr<const Ring>& ring, const Polynom
 
 }  // namespace
 
-double terms_before_squaring(const Model& model) {
+double terms_before_squaring(const SymbolicModel& model) {
   std::map<std::string, TermNumbers> networks;
-  for (const Part& part : model.networks())
+  for (const NamedNetwork& part : model.networks())
     networks[own_name(part.name)] = term_numbers(part.network.network());
   const TermNumbers count = evaluate_rational(model.per_friction(), CountAlgebra{networks});
   return std::max(count.over, count.under);
 }
 
-Amplitude multiplied_out(const Model& model, double budget, const Change& change) {
+Amplitude multiplied_out(const SymbolicModel& model, double budget, const Change& change) {
   const double terms = terms_before_squaring(model);
   if (terms > budget)
     throw ModelError(fmt::format(
@@ -152,24 +152,24 @@ Amplitude multiplied_out(const Model& model, double budget, const Change& change
   ensure(!amplitude.has(quantity("R_d")), "who wants polynomials has asked the rulebook");
   auto ring = std::make_shared<const Ring>(variables(model, amplitude));
   QuotientAlgebra algebra{*ring, {}};
-  for (const Part& part : model.networks())
+  for (const NamedNetwork& part : model.networks())
     if (amplitude.has(quantity(part.name)))
       algebra.known.emplace(own_name(part.name), stiffness(part.network.network(), *ring));
   return {ring, evaluate_rational(amplitude, algebra)};
 }
 
-RationalForm rational_form(const Model& model, double budget, const Change& change) {
+RationalForm rational_form(const SymbolicModel& model, double budget, const Change& change) {
   const Amplitude amplitude = multiplied_out(model, budget, change);
   return squared_form(amplitude.ring, amplitude.per_friction);
 }
 
-RationalForm rational_form(const Model& model,
+RationalForm rational_form(const SymbolicModel& model,
                            const std::map<std::string, GiNaC::numeric>& values) {
   const ex amplitude = model.per_friction();
   const auto ring = std::make_shared<const Ring>(std::vector<std::string>{own_name("s"), "omega"});
   QuotientAlgebra algebra{*ring, {}};
   for (const auto& [name, value] : values) algebra.known.emplace(name, algebra.number(value));
-  for (const Part& part : model.networks())
+  for (const NamedNetwork& part : model.networks())
     if (amplitude.has(quantity(part.name)))
       algebra.known.emplace(own_name(part.name), evaluate(part.network.reduction(), algebra));
   return squared_form(ring, evaluate_rational(amplitude, algebra));

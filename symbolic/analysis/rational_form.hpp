@@ -20,7 +20,7 @@ struct RationalForm {
 };
 
 /// How many terms the polynomials of v* have at most before they are squared.
-double terms_before_squaring(const Model& model);
+double terms_before_squaring(const SymbolicModel& model);
 
 /// B/(mu0 du_z), a rational function of s and of the scene's symbols.
 struct Amplitude {
@@ -30,12 +30,13 @@ struct Amplitude {
 
 /// Throws ModelError, naming both numbers, if terms_before_squaring is more than `budget`. The
 /// contact's ratio is that of the change, where it has one.
-Amplitude multiplied_out(const Model& model, double budget, const Change& change = {});
+Amplitude multiplied_out(const SymbolicModel& model, double budget, const Change& change = {});
 /// Likewise.
-RationalForm rational_form(const Model& model, double budget, const Change& change = {});
+RationalForm rational_form(const SymbolicModel& model, double budget, const Change& change = {});
 
 /// The same with values for all symbols but omega; of any size.
-RationalForm rational_form(const Model& model, const std::map<std::string, GiNaC::numeric>& values);
+RationalForm rational_form(const SymbolicModel& model,
+                           const std::map<std::string, GiNaC::numeric>& values);
 
 /// The same text for the same function.
 std::string canonical_text(const RationalForm& form);

@@ -11,10 +11,10 @@ namespace vcrit::symbolic {
 namespace {
 
 // `receptance` names the value of a measured R_d, which at -s is another number, its conjugate.
-Residue amplitude_at(const Model& model, const GiNaC::ex& amplitude, const Point& point, Residue s,
-                     const char* receptance) {
+Residue amplitude_at(const SymbolicModel& model, const GiNaC::ex& amplitude,
+                     const ResiduePoint& point, Residue s, const char* receptance) {
   NumberAlgebra<Residue> algebra{point, s, {{own_name("R_d"), point(own_name(receptance))}}};
-  for (const Part& part : model.networks())
+  for (const NamedNetwork& part : model.networks())
     if (amplitude.has(quantity(part.name)))
       algebra.known[own_name(part.name)] = evaluate(part.network.reduction(), algebra);
   return evaluate_rational(amplitude, algebra);
@@ -83,7 +83,7 @@ GaussianResidue square_root(Residue a) {
   return r * r == a ? GaussianResidue(r) : GaussianResidue({}, r);
 }
 
-Point named_point(std::uint64_t number) {
+ResiduePoint named_point(std::uint64_t number) {
   return [number](const std::string& symbol) {
     std::uint64_t hash = mixed(number + 0x9e3779b97f4a7c15);
     for (const char c : told_apart(symbol))
@@ -92,7 +92,7 @@ Point named_point(std::uint64_t number) {
   };
 }
 
-std::optional<Residue> square_at(const Model& model, const Point& point) try {
+std::optional<Residue> square_at(const SymbolicModel& model, const ResiduePoint& point) try {
   const GiNaC::ex amplitude = model.per_friction();
   const Residue s = point(own_name("s"));
   return -(s * s) * amplitude_at(model, amplitude, point, s, "R_d") *
@@ -104,15 +104,15 @@ std::optional<Residue> square_at(const Model& model, const Point& point) try {
 // Each element brings at most the degree 3, k tau s; B holds each network at most twice and beside
 // them m s^2 and a ratio; and v*^2 holds B twice. Two quotients are equal where a polynomial of
 // both degrees together is 0.
-double chance_of_agreement(const Model& a, const Model& b) {
+double chance_of_agreement(const SymbolicModel& a, const SymbolicModel& b) {
   double degree = 0;
-  for (const Model* model : {&a, &b})
-    for (const Part& part : model->networks())
+  for (const SymbolicModel* model : {&a, &b})
+    for (const NamedNetwork& part : model->networks())
       degree += 2 * (2 * 3 * static_cast<double>(part.network.reduction().steps.size()) + 10);
   return 2 * degree / static_cast<double>(Residue::prime);
 }
 
-std::string fingerprint(const Model& model) {
+std::string fingerprint(const SymbolicModel& model) {
   std::string digits;
   for (std::uint64_t number = 0; digits.size() < 32; ++number)
     if (const auto square = square_at(model, named_point(number)))

@@ -120,19 +120,19 @@ struct NumberAlgebra {
 };
 
 /// The value of each symbol at a point.
-using Point = std::function<Residue(const std::string& symbol)>;
+using ResiduePoint = std::function<Residue(const std::string& symbol)>;
 
 /// The point of that number: each symbol's value is a hash of its name.
-Point named_point(std::uint64_t number);
+ResiduePoint named_point(std::uint64_t number);
 
 /// v*^2/(mu0 du_z)^2 with s for i omega; nothing where a division by 0 is met on the way.
-std::optional<Residue> square_at(const Model& model, const Point& point);
+std::optional<Residue> square_at(const SymbolicModel& model, const ResiduePoint& point);
 
 /// A bound on the chance that two functions of these models that differ agree at a random point.
-double chance_of_agreement(const Model& a, const Model& b);
+double chance_of_agreement(const SymbolicModel& a, const SymbolicModel& b);
 
 /// 32 hexadecimal digits that are the same for formulas that are one function of the same symbols,
 /// and differ otherwise, but for a chance below 1e-30.
-std::string fingerprint(const Model& model);
+std::string fingerprint(const SymbolicModel& model);
 
 }  // namespace vcrit::symbolic

@@ -26,7 +26,7 @@ struct MassBalance {
   ex whole;
 };
 
-MassBalance per_mass(const ex& factor, const ex& m, const Model& model) {
+MassBalance per_mass(const ex& factor, const ex& m, const SymbolicModel& model) {
   const ex unit = factor.coeff(m, 1).coeff(laplace(), 2);
   ex stiffness = 0;
   for (const auto& [name, network] : model.networks())
@@ -57,13 +57,13 @@ ex root_of(const ex& stiffness, const ex& m) {
 }
 
 /// Where springs balance the inertia.
-ex frequency_of(const MassBalance& balance, const Model& model) {
+ex frequency_of(const MassBalance& balance, const SymbolicModel& model) {
   const std::optional<GiNaC::exmap> known = model.multiplied_out(balance.whole);
   return root_of(known ? balance.stiffness.subs(*known) : balance.stiffness, balance.mass);
 }
 
 /// What the elements in the stiffness have.
-std::set<NumberRole> roles(const MassBalance& balance, const Model& model) {
+std::set<NumberRole> roles(const MassBalance& balance, const SymbolicModel& model) {
   std::set<NumberRole> found;
   for (const auto& [name, network] : model.networks())
     for (const Step& step : network.reduction().steps)
@@ -83,11 +83,11 @@ Resonance::Parts without_numbers(const Resonance::Parts& parts) {
 /// The factor of the amplitude that the condition comes from: of the same mass and stiffnesses, and
 /// on the same side of the bar.
 std::optional<ex> factor_in(const Change& change, const ex& factor, Resonance::Kind kind,
-                            const ex& m, const Model& model) {
+                            const ex& m, const SymbolicModel& model) {
   const bool above = kind == Resonance::Kind::antiresonance;
   for (const auto& [other, exponent] : model.factors(change).parts()) {
-    const bool same =
-        std::all_of(model.networks().begin(), model.networks().end(), [&](const Part& part) {
+    const bool same = std::all_of(
+        model.networks().begin(), model.networks().end(), [&](const NamedNetwork& part) {
           return other.has(quantity(part.name)) == factor.has(quantity(part.name));
         });
     if (other.has(m) && same && (exponent > 0) == above) return other;
@@ -96,7 +96,7 @@ std::optional<ex> factor_in(const Change& change, const ex& factor, Resonance::K
 }
 
 /// K_n + g (K_d - m omega^2), say, and its parts.
-void abbreviate(Resonance& resonance, const ex& factor, const ex& m, const Model& model,
+void abbreviate(Resonance& resonance, const ex& factor, const ex& m, const SymbolicModel& model,
                 const Abbreviations& names) {
   if (names.ratio) {
     const ex g = names.ratio->left;
@@ -123,7 +123,7 @@ void abbreviate(Resonance& resonance, const ex& factor, const ex& m, const Model
       });
 }
 
-Resonance resonance(const ex& factor, Resonance::Kind kind, const ex& m, const Model& model,
+Resonance resonance(const ex& factor, Resonance::Kind kind, const ex& m, const SymbolicModel& model,
                     const Abbreviations& names) {
   const MassBalance balance = per_mass(factor, m, model);
   Resonance found{kind, balance.whole.subs(laplace() == GiNaC::I * omega()), {}, {}, {}, {}, {}};
@@ -156,7 +156,7 @@ std::optional<ex> mass_in(const Problem& problem, Resonance::Kind kind) {
 std::vector<Resonance> resonances(const Derivation& derivation, const Abbreviations& names) {
   using Kind = Resonance::Kind;
   const AlgebraLock lock;
-  const Model& model = *derivation.model;
+  const SymbolicModel& model = *derivation.model;
   std::optional<Factors> amplitude;
   std::vector<Resonance> found;
   // How a measured contact changes with omega is in its table.

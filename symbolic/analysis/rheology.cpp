@@ -54,7 +54,7 @@ class SpectrumMaker {
     if (degree_in_s(k.denominator) == 2) add_pair(k);
     return true;
   }
-  Spectrum result() && { return std::move(spectrum_); }
+  RelaxationSpectrum result() && { return std::move(spectrum_); }
 
  private:
   bool add_given(const Element& branch) {
@@ -91,7 +91,7 @@ class SpectrumMaker {
     spectrum_.lines.push_back({{"", numbered("tau_", j), time}, {"", numbered("h_", j), strength}});
   }
 
-  Spectrum spectrum_;
+  RelaxationSpectrum spectrum_;
 };
 
 /// Re and Im of N(i omega) conj(D(i omega)), polynomials in omega.
@@ -131,7 +131,7 @@ Fraction stiffness_in_lowest_terms(const Network& network) {
   return {(sign * parts.op(0)).expand(), (sign * parts.op(1)).expand()};
 }
 
-ex Spectrum::sum() const {
+ex RelaxationSpectrum::sum() const {
   const AlgebraLock lock;
   const ex s = laplace();
   ex result = equilibrium + damper * s;
@@ -140,7 +140,7 @@ ex Spectrum::sum() const {
   return result;
 }
 
-ex Spectrum::in_elements(const ex& expression) const {
+ex RelaxationSpectrum::in_elements(const ex& expression) const {
   const AlgebraLock lock;
   GiNaC::exmap strengths, times;
   for (const auto& [time, strength] : lines) {
@@ -150,7 +150,7 @@ ex Spectrum::in_elements(const ex& expression) const {
   return expression.subs(strengths).subs(times);
 }
 
-std::optional<Spectrum> spectrum(const Network& network) {
+std::optional<RelaxationSpectrum> spectrum(const Network& network) {
   const AlgebraLock lock;
   if (has_masses(network)) return std::nullopt;
   SpectrumMaker maker;

@@ -21,7 +21,7 @@ struct RelaxationLine {
   Line time, strength;
 };
 
-struct Spectrum {
+struct RelaxationSpectrum {
   Expression equilibrium;  ///< k_inf (N/m)
   Expression damper;       ///< c_inf (N s/m)
   std::vector<RelaxationLine> lines;
@@ -34,7 +34,7 @@ struct Spectrum {
 
 /// In closed form. Parts side by side are taken one by one, so that branches stay as they are
 /// given; nothing if a part has more than two relaxation times of its own, or if there are masses.
-std::optional<Spectrum> spectrum(const Network& network);
+std::optional<RelaxationSpectrum> spectrum(const Network& network);
 
 /// K(s) and K(i omega) = K' + i K'', in the elements, s and omega (N/m).
 struct Response {

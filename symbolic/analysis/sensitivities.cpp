@@ -82,7 +82,7 @@ ex shorter_of(const ex& expression) {
 /// S_p = Re(p dB/dp/B), and one more for the omega in v* = omega |B|.
 class Chain {
  public:
-  Chain(const Model& model, const Change& change)
+  Chain(const SymbolicModel& model, const Change& change)
       : stiffnesses_(model.nested_formula().definitions), amplitude_(model.factors(change)) {
     for (const Line& line : stiffnesses_) symbols_.push_back(free_symbols(line.right));
   }
@@ -180,7 +180,7 @@ class Chain {
 /// from one pass, p dB/dp/B = p sum_j G_j dK_j/dp.
 class Backwards {
  public:
-  Backwards(const Model& model, const Change& change) {
+  Backwards(const SymbolicModel& model, const Change& change) {
     const Factors amplitude = model.factors(change);
     for (const auto& [factor, exponent] : amplitude.parts())
       pass_on(exponent / by_ratio(factor), factor);
@@ -302,7 +302,7 @@ class SensitivitiesIn {
   }
 
   Sensitivity along(const Symbol& parameter, const ex& x) {
-    const Model& model = *derivation_.model;
+    const SymbolicModel& model = *derivation_.model;
     if (long_lines_) {
       if (!backwards_) backwards_.emplace(model, of_chains_);
       return backwards_->along(parameter, x);

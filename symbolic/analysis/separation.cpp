@@ -14,7 +14,7 @@ namespace {
 using GiNaC::ex;
 
 // What the contact point does for each unit of mu0 times the normal deformation.
-ex following(const Model& model) {
+ex following(const SymbolicModel& model) {
   const ex ratio = model.per_friction();
   const auto stiffnesses = model.multiplied_out(ratio);
   return stiffnesses ? ratio.subs(*stiffnesses).normal() : ratio;

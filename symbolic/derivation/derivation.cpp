@@ -28,8 +28,8 @@ using GiNaC::ex;
 std::atomic<std::size_t> made = 0;
 
 /// Its last owner may be in any thread.
-std::shared_ptr<const Model> model_of(const Problem& problem) {
-  return {new Model(problem), [](const Model* model) {
+std::shared_ptr<const SymbolicModel> model_of(const Problem& problem) {
+  return {new SymbolicModel(problem), [](const SymbolicModel* model) {
             const AlgebraLock lock;
             delete model;
           }};
@@ -43,7 +43,7 @@ ex velocity(const ex& amplitude) {
 }
 
 /// v* = omega |B|, with and without what the scene's contact and drive have in common.
-void write_condition(const Model& model, std::vector<Line>& lines) {
+void write_condition(const SymbolicModel& model, std::vector<Line>& lines) {
   const ex v = quantity("v*");
   const ex B = quantity("B"), phase = quantity("phi");
   const ex least =
@@ -71,7 +71,7 @@ void write_condition(const Model& model, std::vector<Line>& lines) {
 
 /// "Normal contact, drive, with s = i omega" before the first of the lines. Names of parts come
 /// before the network that they are of.
-void write_networks(const Model& model, bool measured, std::vector<Line>& lines) {
+void write_networks(const SymbolicModel& model, bool measured, std::vector<Line>& lines) {
   const std::map<std::string, std::string> words{
       {"K_n", "normal contact"}, {"K_t", "tangential contact"}, {"K_d", "drive"}, {"K_m", "mount"}};
   const ex amplitude = model.amplitude({});
@@ -135,7 +135,7 @@ Derivation derive(const Problem& problem) {
   const NamesOfScene names(problem);
   ++made;
   Derivation result{problem, model_of(problem), {}, {}, {}, {}, {}};
-  const Model& model = *result.model;
+  const SymbolicModel& model = *result.model;
   const std::optional<Formula> formula = model.formula({});
   ensure(formula.has_value(), "a scene without a limit has a formula");
   result.lines = model.balance().lines;

@@ -21,7 +21,7 @@ class Leader {
     Reduction left;
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       if (!needed[i]) continue;
-      const Place& step = steps_[i];
+      const NeededStep& step = steps_[i];
       place[i] = left.steps.size();
       left.steps.push_back(
           {step.given->kind, step.given->element, place[step.a], place[step.b], place[step.total]});
@@ -34,7 +34,7 @@ class Leader {
     const std::size_t itself = steps_.size();
     steps_.push_back({&step});
     if (step.kind == Step::Kind::element) return keep(itself, power(step.element));
-    Place& here = steps_.back();
+    NeededStep& here = steps_.back();
     here.a = same_as_[step.a];
     here.b = same_as_[step.b];
     const int a = powers_[here.a], b = powers_[here.b];
@@ -45,7 +45,7 @@ class Leader {
 
   /// a b/total is b where total is no more than a.
   void add_mesh(std::size_t itself) {
-    Place& here = steps_[itself];
+    NeededStep& here = steps_[itself];
     here.total = same_as_[here.given->total];
     if (here.total == here.a) return keep(here.b);
     if (here.total == here.b) return keep(here.a);
@@ -62,7 +62,7 @@ class Leader {
     std::vector<bool> needed(steps_.size());
     needed[same_as_.back()] = true;
     for (std::size_t i = steps_.size(); i-- > 0;) {
-      const Place& step = steps_[i];
+      const NeededStep& step = steps_[i];
       if (!needed[i] || step.given->kind == Step::Kind::element) continue;
       needed[step.a] = needed[step.b] = true;
       if (step.given->kind == Step::Kind::mesh) needed[step.total] = true;
@@ -71,11 +71,11 @@ class Leader {
   }
 
   /// A step, and what it now needs; its names are copied where they stay.
-  struct Place {
+  struct NeededStep {
     const Step* given;
     std::size_t a = 0, b = 0, total = 0;
   };
-  std::vector<Place> steps_;
+  std::vector<NeededStep> steps_;
   std::vector<std::size_t> same_as_;  ///< an earlier step with the same leading term, or itself
   std::vector<int> powers_;
 };

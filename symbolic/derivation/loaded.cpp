@@ -15,7 +15,7 @@ namespace {
 constexpr double readable_terms = 24;
 constexpr std::size_t readable_numbers = 96;
 
-const Rates at_rest_rates{{{"omega"}, -1}};
+const GrowthExponents at_rest_rates{{{"omega"}, -1}};
 
 }  // namespace
 

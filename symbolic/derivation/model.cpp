@@ -62,7 +62,7 @@ bool is_kelvin(const Fraction& k) {
 }
 
 // Of K(0) in what the rates change: 0 of what carries a load, below 0 of what does no longer.
-int power_at_rest(const ReducedNetwork& network, Rates rates) {
+int power_at_rest(const ReducedNetwork& network, GrowthExponents rates) {
   for (auto& [symbol, rate] : rates) rate *= much_faster;
   rates[{"omega"}] = -1;
   return term_count(network.reduction(), rates).power;
@@ -119,7 +119,7 @@ std::vector<Line> used_in(const ex& formula, std::vector<Line> definitions) {
   return used;
 }
 
-Model::Model(const Problem& problem)
+SymbolicModel::SymbolicModel(const Problem& problem)
     : surrounding_(surrounding_of(problem)), balance_(solve_balance(surrounding_)) {
   networks_.push_back({"K_n", problem->normal});
   loaded_ = power_at_rest(problem->normal, {}) == 0;
@@ -150,8 +150,8 @@ Model::Model(const Problem& problem)
 }
 
 /// The same network as another is no third one.
-void Model::put_drive(const ReducedNetwork& drive) {
-  for (const Part& part : networks_)
+void SymbolicModel::put_drive(const ReducedNetwork& drive) {
+  for (const NamedNetwork& part : networks_)
     if (drive.network() == part.network.network()) {
       identities_.push_back(
           {"The drive is the same network", quantity("K_d"), quantity(part.name)});
@@ -160,13 +160,13 @@ void Model::put_drive(const ReducedNetwork& drive) {
   networks_.push_back({"K_d", drive});
 }
 
-const Factors& Model::factors(const Change& change) const {
+const Factors& SymbolicModel::factors(const Change& change) const {
   for (const auto& [known, factors] : factors_)
     if (same_factors(known, change)) return factors;
   return factors_.emplace_back(change, new_factors(change)).second;
 }
 
-Factors Model::new_factors(const Change& change) const {
+Factors SymbolicModel::new_factors(const Change& change) const {
   ex amplitude = balance_.contact_amplitude;
   if (change.ratio) amplitude = amplitude.subs(quantity("K_t") == *change.ratio * quantity("K_n"));
   // A drive that grows is no longer the contact's network.
@@ -184,14 +184,14 @@ Factors Model::new_factors(const Change& change) const {
   return result;
 }
 
-ex Model::amplitude(const Change& change) const { return factors(change).value(); }
+ex SymbolicModel::amplitude(const Change& change) const { return factors(change).value(); }
 
-const ex& Model::per_friction() const {
+const ex& SymbolicModel::per_friction() const {
   if (!per_friction_) per_friction_ = (amplitude({}) / symbol({"mu0"}) / symbol({"du_z"})).normal();
   return *per_friction_;
 }
 
-bool Model::is_small(const ex& amplitude, const Change& change) const {
+bool SymbolicModel::is_small(const ex& amplitude, const Change& change) const {
   double largest = 0, sum = 0, product = 1;
   for (std::size_t i = 0; i < networks_.size(); ++i) {
     if (!has_quantity(amplitude, networks_[i].name)) continue;
@@ -207,16 +207,16 @@ bool Model::is_small(const ex& amplitude, const Change& change) const {
   return std::max(largest, joint ? sum + (inertia ? product : 0) : 0) <= readable_formula_terms;
 }
 
-const std::vector<Leading<TermCount>>& Model::counts(const Rates& rates) const {
+const std::vector<Leading<TermCount>>& SymbolicModel::counts(const GrowthExponents& rates) const {
   if (counted_.second.empty() || counted_.first != rates) {
     counted_ = {rates, {}};
-    for (const Part& part : networks_)
+    for (const NamedNetwork& part : networks_)
       counted_.second.push_back(term_count(part.network.reduction(), rates));
   }
   return counted_.second;
 }
 
-std::map<std::string, int> Model::powers(const Change& change) const {
+std::map<std::string, int> SymbolicModel::powers(const Change& change) const {
   std::map<std::string, int> powers;
   for (std::size_t i = 0; i < networks_.size(); ++i)
     powers[networks_[i].name] = counts(change.rates)[i].power;
@@ -229,21 +229,21 @@ std::map<std::string, int> Model::powers(const Change& change) const {
 
 // The normal force has a mean, which a network with K_n(0) = 0 cannot carry, nor a mount. A scene
 // without such a network loses nothing.
-bool Model::unloads_contact(const Change& change) const {
+bool SymbolicModel::unloads_contact(const Change& change) const {
   if (has_mount() && power_at_rest(networks_.back().network, change.rates) < 0) return true;
   return loaded_ && power_at_rest(networks_.front().network, change.rates) != 0;
 }
 
-Leading<Factors> Model::leading_amplitude(const std::map<std::string, int>& powers,
-                                          const Change& change) const {
+Leading<Factors> SymbolicModel::leading_amplitude(const std::map<std::string, int>& powers,
+                                                  const Change& change) const {
   if (!change.keeps_letters()) return new_leading_amplitude(powers, change);
   const auto [known, is_new] = leading_.try_emplace({powers, change.rigid});
   if (is_new) known->second = new_leading_amplitude(powers, change);
   return known->second;
 }
 
-Leading<Factors> Model::new_leading_amplitude(const std::map<std::string, int>& powers,
-                                              const Change& change) const {
+Leading<Factors> SymbolicModel::new_leading_amplitude(const std::map<std::string, int>& powers,
+                                                      const Change& change) const {
   const Factors& whole = factors(change);
   Leading<Factors> leading;
   leading.value.multiply_rational(whole.coefficient());
@@ -257,7 +257,7 @@ Leading<Factors> Model::new_leading_amplitude(const std::map<std::string, int>& 
   return leading;
 }
 
-std::optional<Formula> Model::formula(const Change& change) const {
+std::optional<Formula> SymbolicModel::formula(const Change& change) const {
   std::map<std::string, int> powers = this->powers(change);
   if (powers["K_n"] != 0 || powers["K_t"] < 0 || powers["K_d"] < 0 || powers["K_m"] < 0)
     return std::nullopt;
@@ -272,15 +272,17 @@ std::optional<Formula> Model::formula(const Change& change) const {
                  equation(fractions, powers, change)};
 }
 
-std::optional<Factors> Model::multiplied_out_amplitude(const Change& change) const {
+std::optional<Factors> SymbolicModel::multiplied_out_amplitude(const Change& change) const {
   const Factors amplitude = leading_amplitude({}, change).value;
   if (!is_small(amplitude.value(), change)) return std::nullopt;
   return multiplied_out(amplitude, fractions(change));
 }
 
-Formula Model::nested_formula() const { return nested_in(leading_amplitude({}, {}).value, {}); }
+Formula SymbolicModel::nested_formula() const {
+  return nested_in(leading_amplitude({}, {}).value, {});
+}
 
-Asymptotic Model::asymptotic(int direction, Change change) const {
+Asymptotic SymbolicModel::asymptotic(int direction, Change change) const {
   change.rates[{"omega"}] = direction;
   const Leading<Factors> leading = leading_amplitude(powers(change), change);
   const ex amplitude = leading.value.value();
@@ -290,7 +292,7 @@ Asymptotic Model::asymptotic(int direction, Change change) const {
   return {power, amplitude, definitions(amplitude, change)};
 }
 
-std::map<std::string, Fraction> Model::fractions(const Change& change) const {
+std::map<std::string, Fraction> SymbolicModel::fractions(const Change& change) const {
   std::map<std::string, Fraction> fractions;
   for (std::size_t i = 0; i < networks_.size(); ++i)
     if (is_readable_count(counts(change.rates)[i].value))
@@ -299,8 +301,8 @@ std::map<std::string, Fraction> Model::fractions(const Change& change) const {
   return fractions;
 }
 
-Factors Model::multiplied_out(const Factors& amplitude,
-                              const std::map<std::string, Fraction>& fractions) const {
+Factors SymbolicModel::multiplied_out(const Factors& amplitude,
+                                      const std::map<std::string, Fraction>& fractions) const {
   GiNaC::exmap put;
   for (const auto& [name, k] : fractions) put[quantity(name)] = k.numerator / k.denominator;
   Factors whole;
@@ -311,12 +313,12 @@ Factors Model::multiplied_out(const Factors& amplitude,
   return whole;
 }
 
-Formula Model::nested_in(const Factors& amplitude, const Change& change) const {
+Formula SymbolicModel::nested_in(const Factors& amplitude, const Change& change) const {
   const ex velocity = omega() * amplitude.modulus();
   return {velocity, definitions(velocity, change), ""};
 }
 
-std::vector<Line> Model::definitions(const ex& formula, const Change& change) const {
+std::vector<Line> SymbolicModel::definitions(const ex& formula, const Change& change) const {
   std::vector<Line> lines;
   for (const auto& [name, network] : networks_) {
     if (!has_quantity(formula, name)) continue;
@@ -327,8 +329,8 @@ std::vector<Line> Model::definitions(const ex& formula, const Change& change) co
   return lines;
 }
 
-std::optional<GiNaC::exmap> Model::multiplied_out(const ex& expression,
-                                                  const Change& change) const {
+std::optional<GiNaC::exmap> SymbolicModel::multiplied_out(const ex& expression,
+                                                          const Change& change) const {
   if (!is_small(expression, change)) return std::nullopt;
   GiNaC::exmap put;
   for (const auto& [name, k] : fractions(change))
@@ -336,8 +338,9 @@ std::optional<GiNaC::exmap> Model::multiplied_out(const ex& expression,
   return put;
 }
 
-std::string Model::equation(const std::map<std::string, Fraction>& networks,
-                            const std::map<std::string, int>& powers, const Change& change) const {
+std::string SymbolicModel::equation(const std::map<std::string, Fraction>& networks,
+                                    const std::map<std::string, int>& powers,
+                                    const Change& change) const {
   const auto grows = [&](const char* name) {
     const auto found = powers.find(name);
     return found != powers.end() && found->second > 0;

@@ -21,7 +21,7 @@ namespace vcrit::symbolic {
 
 /// What is changed before the formula is made.
 struct Change {
-  Rates rates;
+  GrowthExponents rates;
   bool rigid = false;              ///< the drive, after everything in `rates`
   bool massless = false;           ///< m to 0
   std::optional<GiNaC::ex> ratio;  ///< K_t = ratio K_n
@@ -45,14 +45,14 @@ struct Asymptotic {
 };
 
 /// One of the networks, "K_n", "K_t", "K_d" or "K_m".
-struct Part {
+struct NamedNetwork {
   std::string name;
   ReducedNetwork network;
 };
 
-class Model {
+class SymbolicModel {
  public:
-  explicit Model(const Problem& problem);
+  explicit SymbolicModel(const Problem& problem);
 
   const Balance& balance() const { return balance_; }
   /// The amplitude B after isotropy and equal networks have been put in.
@@ -77,7 +77,7 @@ class Model {
   bool has_drive() const { return surrounding_.drive; }
   bool has_mount() const { return surrounding_.mount; }
   /// K_n, K_t, K_d and K_m, in this order, as far as they have a network of their own.
-  const std::vector<Part>& networks() const { return networks_; }
+  const std::vector<NamedNetwork>& networks() const { return networks_; }
   /// K_n, K_t, K_d and K_m of `expression` as ratios of polynomials in s, if it then stays
   /// readable.
   std::optional<GiNaC::exmap> multiplied_out(const GiNaC::ex& expression,
@@ -90,7 +90,7 @@ class Model {
   std::map<std::string, int> powers(const Change& change) const;
   bool unloads_contact(const Change& change) const;
   /// Of each network; powers and sizes of one change are asked for one after the other.
-  const std::vector<Leading<TermCount>>& counts(const Rates& rates) const;
+  const std::vector<Leading<TermCount>>& counts(const GrowthExponents& rates) const;
   Leading<Factors> leading_amplitude(const std::map<std::string, int>& powers,
                                      const Change& change) const;
   Leading<Factors> new_leading_amplitude(const std::map<std::string, int>& powers,
@@ -106,11 +106,11 @@ class Model {
 
   Surrounding surrounding_;
   Balance balance_;
-  std::vector<Part> networks_;
+  std::vector<NamedNetwork> networks_;
   std::vector<Line> identities_;
   std::optional<GiNaC::ex> ratio_;
   bool loaded_ = false;
-  mutable std::pair<Rates, std::vector<Leading<TermCount>>> counted_;
+  mutable std::pair<GrowthExponents, std::vector<Leading<TermCount>>> counted_;
   /// In a document several lines ask for those of each of a few changes. Their places are kept.
   mutable std::deque<std::pair<Change, Factors>> factors_;
   mutable std::optional<GiNaC::ex> per_friction_;  ///< asked for at each point of a proof

@@ -11,10 +11,10 @@ namespace {
 
 using GiNaC::ex;
 
-/// Rates of symbols, that of omega at hand.
+/// Exponents of symbols, that of omega at hand.
 class GrowthRates {
  public:
-  explicit GrowthRates(const Rates& rates) : rates_(rates), frequency_(of({"omega"})) {}
+  explicit GrowthRates(const GrowthExponents& rates) : rates_(rates), frequency_(of({"omega"})) {}
   int of(const Symbol& symbol) const {
     const auto found = rates_.find(symbol);
     return found == rates_.end() ? 0 : found->second;
@@ -22,7 +22,7 @@ class GrowthRates {
   int frequency() const { return frequency_; }
 
  private:
-  const Rates& rates_;
+  const GrowthExponents& rates_;
   int frequency_;
 };
 
@@ -224,12 +224,13 @@ class Nested {
 };
 
 template <class Base>
-Leading<typename Base::Value> run(const Reduction& reduction, const Rates& rates, Base base) {
+Leading<typename Base::Value> run(const Reduction& reduction, const GrowthExponents& rates,
+                                  Base base) {
   LeadingAlgebra<Base> algebra{std::move(base), GrowthRates(rates)};
   return evaluate(reduction, algebra);
 }
 
-Reduction leading(const Reduction& reduction, const Rates& rates) {
+Reduction leading(const Reduction& reduction, const GrowthExponents& rates) {
   if (rates.empty()) return reduction;
   LeadingAlgebra<Counts> algebra{{}, GrowthRates(rates)};
   return leading_reduction(reduction,
@@ -238,7 +239,7 @@ Reduction leading(const Reduction& reduction, const Rates& rates) {
 
 }  // namespace
 
-Leading<Fraction> fraction(const Reduction& reduction, const Rates& rates) {
+Leading<Fraction> fraction(const Reduction& reduction, const GrowthExponents& rates) {
   const AlgebraLock lock;
   Leading<Fraction> k = run(leading(reduction, rates), rates, Fractions{});
   Fraction left;
@@ -246,12 +247,12 @@ Leading<Fraction> fraction(const Reduction& reduction, const Rates& rates) {
   return {k.power, {left.numerator.expand(), left.denominator.expand()}};
 }
 
-Leading<TermCount> term_count(const Reduction& reduction, const Rates& rates) {
+Leading<TermCount> term_count(const Reduction& reduction, const GrowthExponents& rates) {
   const AlgebraLock lock;
   return run(leading(reduction, rates), rates, Counts{});
 }
 
-Leading<GiNaC::ex> nested(const Reduction& reduction, const Rates& rates,
+Leading<GiNaC::ex> nested(const Reduction& reduction, const GrowthExponents& rates,
                           std::vector<Line>& definitions) {
   const AlgebraLock lock;
   const Reduction left = leading(reduction, rates);

@@ -17,7 +17,7 @@ namespace vcrit::symbolic {
 
 /// Symbols that go with T^rate as T grows without end: 1 to infinity, -1 to zero, absent: stay. The
 /// symbol omega takes s along.
-using Rates = std::map<Symbol, int>;
+using GrowthExponents = std::map<Symbol, int>;
 
 /// value T^power is the leading term of K(s).
 template <class Value>
@@ -37,10 +37,10 @@ struct TermCount {
   double numerator = 0, denominator = 0;
 };
 
-Leading<Fraction> fraction(const Reduction& reduction, const Rates& rates);
-Leading<TermCount> term_count(const Reduction& reduction, const Rates& rates);
+Leading<Fraction> fraction(const Reduction& reduction, const GrowthExponents& rates);
+Leading<TermCount> term_count(const Reduction& reduction, const GrowthExponents& rates);
 /// Results used twice and long chains get names K_1, K_2, ... which are appended to `definitions`.
-Leading<GiNaC::ex> nested(const Reduction& reduction, const Rates& rates,
+Leading<GiNaC::ex> nested(const Reduction& reduction, const GrowthExponents& rates,
                           std::vector<Line>& definitions);
 
 }  // namespace vcrit::symbolic

@@ -146,17 +146,17 @@ class Nomenclature {
   std::vector<std::pair<std::string, Found>> elements_;
 };
 
-Section nomenclature(const Findings& findings) {
-  Section section{"Symbols", "", {}};
+DocumentSection nomenclature(const Findings& findings) {
+  DocumentSection section{"Symbols", "", {}};
   section.symbols = Nomenclature(findings).rows();
   return section;
 }
 
 bool holds_closed(const Problem& problem) { return !problem->separation; }
 
-Section assumptions(const Findings& findings) {
+DocumentSection assumptions(const Findings& findings) {
   const Problem& problem = findings.derivation.problem;
-  Section section{"Assumptions", "", {}};
+  DocumentSection section{"Assumptions", "", {}};
   const ex v = quantity("v*"), wave = symbol({"du_z"}) * GiNaC::cos(omega() * quantity("t"));
   const Statement u{
       {false, {Form::Kind::sum, "", {}, {}, {form_of(symbol({"u_z0"})), form_of(wave)}, 1}}};
@@ -178,8 +178,8 @@ Section assumptions(const Findings& findings) {
   return section;
 }
 
-Section reference() {
-  Section section{"Reference", "", {}};
+DocumentSection reference() {
+  DocumentSection section{"Reference", "", {}};
   section.note =
       "Equation numbers are those of: Zughaibi, Schulze, Li, Critical velocity of controllability "
       "of sliding friction by normal oscillations for an arbitrary linear rheology, Physical "
@@ -189,10 +189,10 @@ Section reference() {
 
 }  // namespace
 
-std::vector<Section> appendix(const Findings& findings) {
+std::vector<DocumentSection> appendix(const Findings& findings) {
   const AlgebraLock lock;
-  std::vector<Section> all{assumptions(findings), nomenclature(findings)};
-  for (Section& section : sections(findings, FactsPlace::behind_the_result))
+  std::vector<DocumentSection> all{assumptions(findings), nomenclature(findings)};
+  for (DocumentSection& section : sections(findings, FactsPlace::behind_the_result))
     all.push_back(std::move(section));
   if (all.size() > 2 && all[2].title.empty()) all[2].title = "Derivation";
   all.push_back(reference());

@@ -9,6 +9,6 @@
 namespace vcrit::symbolic {
 
 /// The sections of a document that is not read in a terminal.
-std::vector<Section> appendix(const Findings& findings);
+std::vector<DocumentSection> appendix(const Findings& findings);
 
 }  // namespace vcrit::symbolic

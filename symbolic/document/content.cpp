@@ -59,9 +59,9 @@ void show_shortest(const ShortestForm& form, DocumentBlock& result) {
 }
 
 /// The last line is the result, with its number in the paper.
-Section derivation_section(const Findings& findings) {
+DocumentSection derivation_section(const Findings& findings) {
   const Derivation& derivation = findings.derivation;
-  Section section;
+  DocumentSection section;
   section.blocks = blocks_of(derivation.lines);
   const std::vector<DocumentBlock> steps = root_steps(derivation, findings.abbreviated.names);
   section.blocks.insert(section.blocks.end() - 1, steps.begin(), steps.end());
@@ -76,9 +76,9 @@ Section derivation_section(const Findings& findings) {
   return section;
 }
 
-Section form_section(const Findings& findings) {
+DocumentSection form_section(const Findings& findings) {
   const bool rational = findings.form == ResultForm::rational;
-  Section section{rational ? "Rational form" : "Dimensionless form", "", {}};
+  DocumentSection section{rational ? "Rational form" : "Dimensionless form", "", {}};
   section.blocks = blocks_of(findings.form_lines);
   if (findings.in_groups)
     section.blocks.push_back({"In these", {}, false, equations_of(*findings.in_groups)});
@@ -86,8 +86,8 @@ Section form_section(const Findings& findings) {
 }
 
 /// Facts without a line of mathematics are sentences.
-Section facts_section(const Findings& findings) {
-  Section section{"What it says", "", {}};
+DocumentSection facts_section(const Findings& findings) {
+  DocumentSection section{"What it says", "", {}};
   for (const Fact& fact : findings.facts) {
     if (fact.lines.empty()) {
       if (!section.note.empty()) section.note += " ";
@@ -117,14 +117,14 @@ Prose headed(const Prose& title, const std::string& equation) {
 }
 
 /// g and Z, if what follows has them.
-void add_names(const Abbreviations& names, const std::vector<ex>& shown, Section& section) {
+void add_names(const Abbreviations& names, const std::vector<ex>& shown, DocumentSection& section) {
   const std::vector<Line> used = names.used_by(shown);
   if (!used.empty()) section.blocks.push_back({"With", used});
 }
 
 /// What the inner quantities are in the limit, where they differ, then v*.
-Section limits_section(const Findings& findings) {
-  Section section{"Limits and special cases", "", {}};
+DocumentSection limits_section(const Findings& findings) {
+  DocumentSection section{"Limits and special cases", "", {}};
   std::vector<ex> shown;
   for (const Limit& limit : findings.limits) shown.push_back(limit.shown);
   add_names(findings.abbreviated.names, shown, section);
@@ -137,8 +137,8 @@ Section limits_section(const Findings& findings) {
   return section;
 }
 
-Section asymptotes_section(const Findings& findings) {
-  Section section{"Low and high frequency", "", {}};
+DocumentSection asymptotes_section(const Findings& findings) {
+  DocumentSection section{"Low and high frequency", "", {}};
   const std::vector<Asymptote>& asymptotes = findings.abbreviated.asymptotes;
   std::vector<ex> shown;
   for (const Asymptote& asymptote : asymptotes) shown.push_back(asymptote.coefficient);
@@ -182,8 +182,8 @@ std::vector<DocumentBlock> resonance_blocks(const Resonance& resonance) {
   return blocks;
 }
 
-Section resonances_section(const Findings& findings) {
-  Section section{"Resonance and antiresonance", "", {}};
+DocumentSection resonances_section(const Findings& findings) {
+  DocumentSection section{"Resonance and antiresonance", "", {}};
   const std::vector<Resonance>& resonances = findings.abbreviated.resonances;
   std::vector<ex> shown;
   for (const Resonance& resonance : resonances) {
@@ -197,7 +197,7 @@ Section resonances_section(const Findings& findings) {
   return section;
 }
 
-Section extrema_section(const std::vector<Line>& lines) {
+DocumentSection extrema_section(const std::vector<Line>& lines) {
   return {{"Largest and least ", quantity("v*")}, "", blocks_of(lines)};
 }
 
@@ -244,7 +244,7 @@ std::optional<DocumentBlock> array_block(const std::vector<Sensitivity>& all,
   return block;
 }
 
-Section sensitivities_section(const Findings& findings) {
+DocumentSection sensitivities_section(const Findings& findings) {
   const ex S = quantity("S_p"), p = quantity("p"), v = quantity("v*");
   const Prose note{"Where a parameter ",
                    p,
@@ -259,7 +259,7 @@ Section sensitivities_section(const Findings& findings) {
                    " is ",
                    v * S / p,
                    "."};
-  Section section{"Sensitivities", note, {}};
+  DocumentSection section{"Sensitivities", note, {}};
   Reader reader;
   reader.tell(findings.derivation.definitions);
   const auto& [shared, all] = findings.abbreviated.sensitivities;
@@ -309,12 +309,12 @@ Section sensitivities_section(const Findings& findings) {
   return section;
 }
 
-Section half_space_section(const Findings& findings) {
+DocumentSection half_space_section(const Findings& findings) {
   return {"Below the indenter", "", blocks_of(findings.half_space)};
 }
 
-Section separation_section(const Findings& findings) {
-  Section section{"Loss of contact", "", {}};
+DocumentSection separation_section(const Findings& findings) {
+  DocumentSection section{"Loss of contact", "", {}};
   if (!findings.separation) return section;
   section.blocks = blocks_of(*findings.separation);
   if (!section.blocks.empty()) return section;
@@ -332,23 +332,23 @@ Section separation_section(const Findings& findings) {
 
 }  // namespace
 
-std::vector<Section> sections(const Findings& findings, FactsPlace place) {
-  const Section facts = facts_section(findings);
-  std::vector<Section> all{derivation_section(findings),
-                           form_section(findings),
-                           facts,
-                           half_space_section(findings),
-                           separation_section(findings),
-                           limits_section(findings),
-                           asymptotes_section(findings),
-                           resonances_section(findings),
-                           extrema_section(findings.extrema),
-                           sensitivities_section(findings)};
+std::vector<DocumentSection> sections(const Findings& findings, FactsPlace place) {
+  const DocumentSection facts = facts_section(findings);
+  std::vector<DocumentSection> all{derivation_section(findings),
+                                   form_section(findings),
+                                   facts,
+                                   half_space_section(findings),
+                                   separation_section(findings),
+                                   limits_section(findings),
+                                   asymptotes_section(findings),
+                                   resonances_section(findings),
+                                   extrema_section(findings.extrema),
+                                   sensitivities_section(findings)};
   if (place == FactsPlace::first && !facts.blocks.empty()) {
     all.front().title = "Derivation";
     std::rotate(all.begin(), all.begin() + 2, all.begin() + 3);
   }
-  std::erase_if(all, [](const Section& section) { return section.blocks.empty(); });
+  std::erase_if(all, [](const DocumentSection& section) { return section.blocks.empty(); });
   return all;
 }
 

@@ -19,7 +19,7 @@ namespace vcrit::symbolic {
 struct Equation {
   Form left;
   Signed right;
-  FittedEquation::Range range = {};  ///< of an index in it
+  FittedEquation::IndexRange range = {};  ///< of an index in it
 };
 
 /// The definitions of a form, then v*.
@@ -39,7 +39,7 @@ struct SymbolRow {
   std::string unit;
 };
 
-struct Section {
+struct DocumentSection {
   Prose title;  ///< empty: the derivation itself
   Prose note;   ///< in front of the blocks
   std::vector<DocumentBlock> blocks;
@@ -52,7 +52,7 @@ struct Section {
 enum class FactsPlace { first, behind_the_result };
 
 /// The sections that have something to say.
-std::vector<Section> sections(const Findings& findings, FactsPlace place);
+std::vector<DocumentSection> sections(const Findings& findings, FactsPlace place);
 
 /// v* ~ coefficient omega^power.
 Line asymptote_line(const Asymptote& asymptote);

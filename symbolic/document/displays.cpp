@@ -90,7 +90,7 @@ PrintedEquation Displays::print(const FittedEquation& equation) const {
   PrintedEquation result{dialect_.print(equation.left), dialect_.sign(equation.relation), {}, ""};
   for (const std::vector<Signed>& row : equation.rows)
     result.rows.push_back(dialect_.terms(row, &row != &equation.rows.front()));
-  const FittedEquation::Range& range = equation.range;
+  const FittedEquation::IndexRange& range = equation.range;
   if (!range.index.empty()) result.range = dialect_.range(range.index, range.first, range.last);
   return result;
 }

@@ -38,7 +38,7 @@ class Displays {
   /// An equation with what it is known by, if that may come again.
   struct Asked {
     Statement statement;
-    FittedEquation::Range range;
+    FittedEquation::IndexRange range;
     std::optional<Less::Sides> sides;
   };
 

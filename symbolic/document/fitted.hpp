@@ -16,11 +16,11 @@ struct FittedEquation {
   Signed left;
   Statement::Relation relation = Statement::Relation::equal;
   std::vector<std::vector<Signed>> rows;
-  struct Range {
+  struct IndexRange {
     std::string index;
     int first = 0, last = 0;
   };
-  Range range = {};  ///< "j = 1..10" behind it; no index: none
+  IndexRange range = {};  ///< "j = 1..10" behind it; no index: none
 };
 
 /// What fits: points of a page, or characters of a terminal.

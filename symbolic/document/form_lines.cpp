@@ -112,7 +112,7 @@ void write_groups(Findings& findings, const Derivation& derivation) {
 }  // namespace
 
 std::vector<Line> extrema_lines(const Derivation& derivation, double budget) {
-  const Model& model = *derivation.model;
+  const SymbolicModel& model = *derivation.model;
   if (!rules::answer(rules::Question::all_frequencies, derivation.problem) ||
       terms_before_squaring(model) > budget)
     return {};

@@ -198,7 +198,8 @@ Json tables_record(const std::vector<SymbolRow>& rows, const DocumentMarkup& mar
   return tables;
 }
 
-Json section_record(const Section& section, const DocumentMarkup& markup, Displays& displays) {
+Json section_record(const DocumentSection& section, const DocumentMarkup& markup,
+                    Displays& displays) {
   Json blocks = Json::array();
   for (const DocumentBlock& block : section.blocks)
     blocks.push_back(block_record(block, markup, displays));
@@ -215,7 +216,7 @@ Json section_record(const Section& section, const DocumentMarkup& markup, Displa
 }  // namespace
 
 std::string markup_document(Format format, const std::string& title,
-                            const std::vector<Section>& sections, bool standalone) {
+                            const std::vector<DocumentSection>& sections, bool standalone) {
   const DocumentMarkup markup = markup_of(format, standalone);
   Displays displays(markup.dialect(), markup.measure);
   const record::Markup heading{markup.title(one_line(title))};
@@ -224,7 +225,7 @@ std::string markup_document(Format format, const std::string& title,
       {"standalone", standalone},
       {"style", Fields(record::Reader::page).written(record::Markup{std::string(mathml_style())})},
       {"sections", Json::array()}};
-  for (const Section& section : sections)
+  for (const DocumentSection& section : sections)
     record["sections"].push_back(section_record(section, markup, displays));
   const record::Templates templates(
       {vcrit_document_templates,

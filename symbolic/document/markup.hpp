@@ -10,6 +10,6 @@ namespace vcrit::symbolic {
 
 /// Any format but JSON; LaTeX as a file of its own where it is to be `standalone`.
 std::string markup_document(Format format, const std::string& title,
-                            const std::vector<Section>& sections, bool standalone);
+                            const std::vector<DocumentSection>& sections, bool standalone);
 
 }  // namespace vcrit::symbolic

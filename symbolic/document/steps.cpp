@@ -99,7 +99,7 @@ std::vector<DocumentBlock> root_steps(const Derivation& derivation, const Abbrev
   const ex complex = a + GiNaC::I * b;
   const Line absolute{"", GiNaC::abs(complex), GiNaC::sqrt(a * a + b * b)};
   const Statement at = stated(laplace(), GiNaC::I * omega());
-  const Model& model = *derivation.model;
+  const SymbolicModel& model = *derivation.model;
   const std::optional<Factors> multiplied_out = model.multiplied_out_amplitude();
   if (!multiplied_out)
     return {{{"The absolute value of a product is the product of absolute values; each factor is ",

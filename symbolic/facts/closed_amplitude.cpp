@@ -82,7 +82,7 @@ class ClosedAmplitude {
 
 /// W^2/|K(i omega)|^2 or u_z0^2 K(0)^2/|K(i omega)|^2 at a point.
 GaussianResidue square_of_bound(const Problem& problem, const Pressed& pressed,
-                                const Point& point) {
+                                const ResiduePoint& point) {
   NumberAlgebra<GaussianResidue> algebra;
   algebra.point = [&point](const std::string& name) { return GaussianResidue(point(name)); };
   const GaussianResidue load =
@@ -104,8 +104,9 @@ FoundForm find_closed_amplitude(const Problem& problem) {
   FoundForm found = first_that_fits(
       [&](const Thrift& thrift) { return ClosedAmplitude(problem, thrift).form(pressed); });
   if (found.form)
-    prove_at_points(*found.form,
-                    [&](const Point& point) { return square_of_bound(problem, pressed, point); });
+    prove_at_points(*found.form, [&](const ResiduePoint& point) {
+      return square_of_bound(problem, pressed, point);
+    });
   return found;
 }
 

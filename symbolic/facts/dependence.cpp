@@ -15,8 +15,9 @@ constexpr int pairs_to_compare = 3;
 constexpr std::uint64_t most_pairs = 100;
 
 /// Whether v*^2/(-s^2) is one number at each point and where `moved` takes it.
-bool stays(const Model& model, const std::function<Point(const Point&)>& moved) {
-  const auto per_frequency = [&](const Point& point) -> std::optional<Residue> {
+bool stays(const SymbolicModel& model,
+           const std::function<ResiduePoint(const ResiduePoint&)>& moved) {
+  const auto per_frequency = [&](const ResiduePoint& point) -> std::optional<Residue> {
     const auto square = square_at(model, point);
     const Residue s = point(own_name("s"));
     if (!square) return std::nullopt;
@@ -25,7 +26,7 @@ bool stays(const Model& model, const std::function<Point(const Point&)>& moved) 
   int compared = 0;
   for (std::uint64_t number = 0; compared < pairs_to_compare; ++number) {
     ensure(number < most_pairs, "v* is finite at nearly all points");
-    const Point point = named_point(number);
+    const ResiduePoint point = named_point(number);
     const auto here = per_frequency(point), there = per_frequency(moved(point));
     if (!here || !there) continue;
     if (!(*here == *there)) return false;
@@ -36,8 +37,8 @@ bool stays(const Model& model, const std::function<Point(const Point&)>& moved) 
 
 }  // namespace
 
-bool is_independent_of(const Model& model, const std::set<std::string>& names) {
-  return stays(model, [&names](const Point& point) -> Point {
+bool is_independent_of(const SymbolicModel& model, const std::set<std::string>& names) {
+  return stays(model, [&names](const ResiduePoint& point) -> ResiduePoint {
     return [&names, point](const std::string& symbol) {
       return names.contains(symbol) ? point("another " + symbol) : point(symbol);
     };
@@ -45,8 +46,8 @@ bool is_independent_of(const Model& model, const std::set<std::string>& names) {
 }
 
 // The receptance of a table is another number at another frequency.
-bool is_proportional_to_frequency(const Model& model) {
-  return stays(model, [](const Point& point) -> Point {
+bool is_proportional_to_frequency(const SymbolicModel& model) {
+  return stays(model, [](const ResiduePoint& point) -> ResiduePoint {
     return [point](const std::string& symbol) {
       if (symbol == own_name("s") || symbol == "omega") return point(symbol) * point("frequency");
       const bool measured = symbol == own_name("R_d") || symbol == own_name("conjugate R_d");

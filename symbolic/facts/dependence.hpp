@@ -10,9 +10,9 @@ namespace vcrit::symbolic {
 
 /// Whether v* is the same for all values of these, together. Wrong with a chance below 1e-40: v* is
 /// compared at three points modulo 2^61 - 1 (see chance_of_agreement).
-bool is_independent_of(const Model& model, const std::set<std::string>& names);
+bool is_independent_of(const SymbolicModel& model, const std::set<std::string>& names);
 
 /// Whether v*/omega is the same at all frequencies.
-bool is_proportional_to_frequency(const Model& model);
+bool is_proportional_to_frequency(const SymbolicModel& model);
 
 }  // namespace vcrit::symbolic

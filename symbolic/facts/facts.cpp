@@ -224,7 +224,7 @@ class Facts {
 
   const Derivation& derivation_;
   const Problem& problem_;
-  const Model& model_;
+  const SymbolicModel& model_;
   std::vector<Fact> found_;
 };
 

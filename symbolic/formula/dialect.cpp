@@ -10,10 +10,10 @@
 namespace vcrit::symbolic {
 
 std::string Dialect::print(const Signed& expression) const {
-  return printed(expression, Place::free);
+  return printed(expression, Position::free);
 }
 
-std::string Dialect::printed(const Signed& expression, Place place) const {
+std::string Dialect::printed(const Signed& expression, Position place) const {
   hear_interruption();
   const std::string text = piece(expression.form, place).text;
   return expression.minus ? negative(text) : text;
@@ -45,7 +45,7 @@ std::string Dialect::terms(const std::vector<Signed>& terms, bool go_on) const {
   std::string text = go_on ? nothing() : print(terms.front());
   for (const Signed& term : terms)
     if (go_on || &term != &terms.front())
-      text = added(text, term.minus, piece(term.form, Place::free).text);
+      text = added(text, term.minus, piece(term.form, Position::free).text);
   return text;
 }
 
@@ -57,50 +57,53 @@ std::string Dialect::range(const std::string& index, int first, int last) const 
   return fmt::format("{} = {}..{}", index, first, last);
 }
 
-std::vector<Piece> Dialect::pieces(const std::vector<Form>& forms, Place place) const {
-  std::vector<Piece> result;
+std::vector<PrintedPart> Dialect::pieces(const std::vector<Form>& forms, Position place) const {
+  std::vector<PrintedPart> result;
   for (const Form& form : forms) result.push_back(piece(form, place));
   return result;
 }
 
-Piece Dialect::slashed(const std::vector<Piece>& over, const std::vector<Piece>& under,
-                       const std::string& slash) const {
-  const bool lone = under.size() == 1 && under[0].tightness == Piece::Tightness::atom;
+PrintedPart Dialect::slashed(const std::vector<PrintedPart>& over,
+                             const std::vector<PrintedPart>& under,
+                             const std::string& slash) const {
+  const bool lone = under.size() == 1 && under[0].tightness == PrintedPart::Tightness::atom;
   const std::string below = product(factors(under, true));
   return {product(factors(over, false)) + slash + (lone ? below : wrapped(below)),
-          Piece::Tightness::product};
+          PrintedPart::Tightness::product};
 }
 
-std::vector<std::string> Dialect::factors(const std::vector<Piece>& pieces,
+std::vector<std::string> Dialect::factors(const std::vector<PrintedPart>& pieces,
                                           bool lone_is_bare) const {
   std::vector<std::string> result;
-  for (const Piece& each : pieces) {
+  for (const PrintedPart& each : pieces) {
     const bool bare =
-        each.tightness != Piece::Tightness::sum || (lone_is_bare && pieces.size() == 1);
+        each.tightness != PrintedPart::Tightness::sum || (lone_is_bare && pieces.size() == 1);
     result.push_back(bare ? each.text : wrapped(each.text));
   }
   return result;
 }
 
-Piece Dialect::quotient(const Form& form, Place place) const {
-  const std::vector<Piece> under = pieces(form.under, Place::in_fraction);
-  if (place == Place::in_fraction)
-    return inner_fraction(pieces(form.over, Place::in_fraction), under);
+PrintedPart Dialect::quotient(const Form& form, Position place) const {
+  const std::vector<PrintedPart> under = pieces(form.under, Position::in_fraction);
+  if (place == Position::in_fraction)
+    return inner_fraction(pieces(form.over, Position::in_fraction), under);
   const auto is_root = [](const Form& factor) { return factor.kind == Form::Kind::root; };
   if (!roots_stand_behind() || form.over.empty() || !is_root(form.over.back()))
-    return fraction(pieces(form.over, Place::in_fraction), under);
+    return fraction(pieces(form.over, Position::in_fraction), under);
   const auto roots = std::find_if(form.over.begin(), form.over.end(), is_root);
-  std::vector<Piece> parts{fraction(pieces({form.over.begin(), roots}, Place::in_fraction), under)};
-  for (Piece& root : pieces({roots, form.over.end()}, Place::free))
+  std::vector<PrintedPart> parts{
+      fraction(pieces({form.over.begin(), roots}, Position::in_fraction), under)};
+  for (PrintedPart& root : pieces({roots, form.over.end()}, Position::free))
     parts.push_back(std::move(root));
-  return {product(factors(parts, false)), Piece::Tightness::product};
+  return {product(factors(parts, false)), PrintedPart::Tightness::product};
 }
 
-Piece Dialect::piece(const Form& form, Place place) const {
+PrintedPart Dialect::piece(const Form& form, Position place) const {
   switch (form.kind) {
     case Form::Kind::number: {
       const bool whole = form.text.find('/') == std::string::npos;
-      return {number(form.text), whole ? Piece::Tightness::atom : Piece::Tightness::product};
+      return {number(form.text),
+              whole ? PrintedPart::Tightness::atom : PrintedPart::Tightness::product};
     }
     case Form::Kind::name:
       if (form.text == own_name("infinity")) return {infinity()};
@@ -112,15 +115,15 @@ Piece Dialect::piece(const Form& form, Place place) const {
         text =
             i == 0 ? printed(term, place) : added(text, term.minus, piece(term.form, place).text);
       }
-      return {text, Piece::Tightness::sum};
+      return {text, PrintedPart::Tightness::sum};
     }
     case Form::Kind::product:
       if (form.under.empty())
-        return {product(factors(pieces(form.over, place), false)), Piece::Tightness::product};
+        return {product(factors(pieces(form.over, place), false)), PrintedPart::Tightness::product};
       return quotient(form, place);
     case Form::Kind::power: {
-      const Piece base = piece(form.over[0], place);
-      const bool atom = base.tightness == Piece::Tightness::atom;
+      const PrintedPart base = piece(form.over[0], place);
+      const bool atom = base.tightness == PrintedPart::Tightness::atom;
       return {power(atom ? base.text : wrapped(base.text), form.exponent)};
     }
     case Form::Kind::root:

@@ -10,7 +10,7 @@
 namespace vcrit::symbolic {
 
 /// A printed part, and how tightly it holds together.
-struct Piece {
+struct PrintedPart {
   enum class Tightness { sum, product, atom };
   std::string text;
   Tightness tightness = Tightness::atom;
@@ -40,10 +40,11 @@ class Dialect {
                             const std::string& right) const = 0;
   virtual std::string product(const std::vector<std::string>& factors) const = 0;
   /// The parts are not wrapped yet.
-  virtual Piece fraction(const std::vector<Piece>& over, const std::vector<Piece>& under) const = 0;
+  virtual PrintedPart fraction(const std::vector<PrintedPart>& over,
+                               const std::vector<PrintedPart>& under) const = 0;
   /// The same within a fraction, where letters above and below a bar would be tiny.
-  virtual Piece inner_fraction(const std::vector<Piece>& over,
-                               const std::vector<Piece>& under) const {
+  virtual PrintedPart inner_fraction(const std::vector<PrintedPart>& over,
+                                     const std::vector<PrintedPart>& under) const {
     return fraction(over, under);
   }
   virtual std::string power(const std::string& base, int exponent) const = 0;
@@ -63,23 +64,23 @@ class Dialect {
   /// The sum of `term` over `index` from `first` to `last`.
   virtual std::string series(const std::string& term, const std::string& index, int first,
                              int last) const;
-  virtual Piece::Tightness series_tightness() const { return Piece::Tightness::atom; }
+  virtual PrintedPart::Tightness series_tightness() const { return PrintedPart::Tightness::atom; }
   /// Whether a root above a bar is written behind the fraction, where it is set large.
   virtual bool roots_stand_behind() const { return false; }
 
   /// over/under on one line.
-  Piece slashed(const std::vector<Piece>& over, const std::vector<Piece>& under,
-                const std::string& slash) const;
+  PrintedPart slashed(const std::vector<PrintedPart>& over, const std::vector<PrintedPart>& under,
+                      const std::string& slash) const;
   /// The factors' texts, sums in parentheses; a lone one as it is if `lone_is_bare`.
-  std::vector<std::string> factors(const std::vector<Piece>& pieces, bool lone_is_bare) const;
+  std::vector<std::string> factors(const std::vector<PrintedPart>& pieces, bool lone_is_bare) const;
 
  private:
   /// Where a part stands: on its own line, or above or below a bar.
-  enum class Place { free, in_fraction };
-  Piece piece(const Form& form, Place place) const;
-  std::string printed(const Signed& expression, Place place) const;
-  Piece quotient(const Form& form, Place place) const;
-  std::vector<Piece> pieces(const std::vector<Form>& forms, Place place) const;
+  enum class Position { free, in_fraction };
+  PrintedPart piece(const Form& form, Position place) const;
+  std::string printed(const Signed& expression, Position place) const;
+  PrintedPart quotient(const Form& form, Position place) const;
+  std::vector<PrintedPart> pieces(const std::vector<Form>& forms, Position place) const;
 };
 
 const Dialect& text_dialect();

@@ -60,13 +60,14 @@ class LatexDialect : public Dialect {
   std::string product(const std::vector<std::string>& factors) const override {
     return factors.empty() ? "1" : fmt::format("{}", fmt::join(factors, " "));
   }
-  Piece fraction(const std::vector<Piece>& over, const std::vector<Piece>& under) const override {
+  PrintedPart fraction(const std::vector<PrintedPart>& over,
+                       const std::vector<PrintedPart>& under) const override {
     return {fmt::format("\\frac{{{}}}{{{}}}", product(factors(over, true)),
                         product(factors(under, true))),
-            Piece::Tightness::product};
+            PrintedPart::Tightness::product};
   }
-  Piece inner_fraction(const std::vector<Piece>& over,
-                       const std::vector<Piece>& under) const override {
+  PrintedPart inner_fraction(const std::vector<PrintedPart>& over,
+                             const std::vector<PrintedPart>& under) const override {
     return slashed(over, under, "/");
   }
   std::string power(const std::string& base, int exponent) const override {
@@ -103,13 +104,14 @@ class LatexDialect : public Dialect {
                      int last) const override {
     return fmt::format("\\sum_{{{}={}}}^{{{}}} {}", index, first, last, term);
   }
-  Piece::Tightness series_tightness() const override { return Piece::Tightness::sum; }
+  PrintedPart::Tightness series_tightness() const override { return PrintedPart::Tightness::sum; }
   bool roots_stand_behind() const override { return true; }
 };
 
 /// Within a line of words, where a bar would be small and spread the lines.
 class LatexWithinWords : public LatexDialect {
-  Piece fraction(const std::vector<Piece>& over, const std::vector<Piece>& under) const override {
+  PrintedPart fraction(const std::vector<PrintedPart>& over,
+                       const std::vector<PrintedPart>& under) const override {
     return slashed(over, under, "/");
   }
   std::string number(const std::string& digits) const override { return digits; }

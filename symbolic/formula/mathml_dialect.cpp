@@ -78,13 +78,14 @@ class MathMlDialect : public Dialect {
     return factors.empty() ? "<mn>1</mn>"
                            : fmt::format("{}", fmt::join(factors, "<mo>&#x2062;</mo>"));
   }
-  Piece fraction(const std::vector<Piece>& over, const std::vector<Piece>& under) const override {
+  PrintedPart fraction(const std::vector<PrintedPart>& over,
+                       const std::vector<PrintedPart>& under) const override {
     return {fmt::format("<mfrac><mrow>{}</mrow><mrow>{}</mrow></mfrac>",
                         product(factors(over, true)), product(factors(under, true))),
-            Piece::Tightness::product};
+            PrintedPart::Tightness::product};
   }
-  Piece inner_fraction(const std::vector<Piece>& over,
-                       const std::vector<Piece>& under) const override {
+  PrintedPart inner_fraction(const std::vector<PrintedPart>& over,
+                             const std::vector<PrintedPart>& under) const override {
     return slashed(over, under, "<mo>/</mo>");
   }
   std::string power(const std::string& base, int exponent) const override {
@@ -122,12 +123,13 @@ class MathMlDialect : public Dialect {
         "</munderover>{}",
         identifier(index), first, last, term);
   }
-  Piece::Tightness series_tightness() const override { return Piece::Tightness::sum; }
+  PrintedPart::Tightness series_tightness() const override { return PrintedPart::Tightness::sum; }
   bool roots_stand_behind() const override { return true; }
 };
 
 class MathMlWithinWords : public MathMlDialect {
-  Piece fraction(const std::vector<Piece>& over, const std::vector<Piece>& under) const override {
+  PrintedPart fraction(const std::vector<PrintedPart>& over,
+                       const std::vector<PrintedPart>& under) const override {
     return slashed(over, under, "<mo>/</mo>");
   }
 };

@@ -19,7 +19,8 @@ class TextDialect : public Dialect {
   std::string product(const std::vector<std::string>& factors) const override {
     return factors.empty() ? "1" : fmt::format("{}", fmt::join(factors, "*"));
   }
-  Piece fraction(const std::vector<Piece>& over, const std::vector<Piece>& under) const override {
+  PrintedPart fraction(const std::vector<PrintedPart>& over,
+                       const std::vector<PrintedPart>& under) const override {
     return slashed(over, under, "/");
   }
   std::string power(const std::string& base, int exponent) const override {

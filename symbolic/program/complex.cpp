@@ -31,11 +31,11 @@ NodeId sum_of_terms(Program& program, std::vector<Product> terms, int& roundings
 
 }  // namespace
 
-Complex real(Program& program, NodeId re) { return {re, program.constant(0)}; }
+ComplexNode real(Program& program, NodeId re) { return {re, program.constant(0)}; }
 
-Complex polynomial(std::vector<NodeId> coefficients) { return {0, 0, std::move(coefficients)}; }
+ComplexNode polynomial(std::vector<NodeId> coefficients) { return {0, 0, std::move(coefficients)}; }
 
-Complex at(Program& program, const Complex& polynomial, NodeId omega) {
+ComplexNode at(Program& program, const ComplexNode& polynomial, NodeId omega) {
   const std::vector<NodeId>& c = polynomial.coefficients;
   const NodeId minus_square = program.negate(program.multiply(omega, omega));
   const auto horner = [&](std::size_t lowest) {
@@ -47,14 +47,14 @@ Complex at(Program& program, const Complex& polynomial, NodeId omega) {
   return {horner(0), program.multiply(omega, horner(1))};
 }
 
-bool is_one(const Program& program, const Complex& z) {
+bool is_one(const Program& program, const ComplexNode& z) {
   if (!z.coefficients.empty())
     return z.coefficients.size() == 1 && program.is_constant(z.coefficients[0], 1);
   return program.is_constant(z.re, 1) && is_zero(program, z.im);
 }
 
-static ComplexSum sum_of_polynomials(Program& program,
-                                     const std::vector<std::pair<Complex, Complex>>& products) {
+static ComplexSum sum_of_polynomials(
+    Program& program, const std::vector<std::pair<ComplexNode, ComplexNode>>& products) {
   std::vector<std::vector<Product>> terms;
   for (const auto& [a, b] : products)
     for (std::size_t i = 0; i < a.coefficients.size(); ++i)
@@ -70,7 +70,7 @@ static ComplexSum sum_of_polynomials(Program& program,
 }
 
 ComplexSum sum_of_products(Program& program,
-                           const std::vector<std::pair<Complex, Complex>>& products) {
+                           const std::vector<std::pair<ComplexNode, ComplexNode>>& products) {
   if (!products.front().first.coefficients.empty()) return sum_of_polynomials(program, products);
   std::vector<Product> re, im;
   for (const auto& [a, b] : products) {
@@ -85,15 +85,15 @@ ComplexSum sum_of_products(Program& program,
   return result;
 }
 
-Complex real_multiple(Program& program, NodeId factor, const Complex& z) {
+ComplexNode real_multiple(Program& program, NodeId factor, const ComplexNode& z) {
   return {program.multiply(factor, z.re), program.multiply(factor, z.im)};
 }
 
-NodeId square(Program& program, const Complex& z) {
+NodeId square(Program& program, const ComplexNode& z) {
   return program.multiply_add(z.im, z.im, program.multiply(z.re, z.re));
 }
 
-NodeId size_bound(Program& program, const Complex& z) {
+NodeId size_bound(Program& program, const ComplexNode& z) {
   return program.add(program.size(z.re), program.size(z.im));
 }
 

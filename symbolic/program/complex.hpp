@@ -9,7 +9,7 @@
 
 namespace vcrit::symbolic {
 
-struct Complex {
+struct ComplexNode {
   NodeId re = 0, im = 0;
   std::vector<NodeId> coefficients =
       {};  ///< of 1, i omega, ...: then a polynomial, without re and im
@@ -18,22 +18,22 @@ struct Complex {
 /// A sum of products and, for an error bound, how it was rounded: each component errs by at most
 /// `roundings` roundings of the sum of its terms' absolute values.
 struct ComplexSum {
-  Complex value;
+  ComplexNode value;
   int roundings = 0;
 };
 
-Complex real(Program& program, NodeId re);
-Complex polynomial(std::vector<NodeId> coefficients);
+ComplexNode real(Program& program, NodeId re);
+ComplexNode polynomial(std::vector<NodeId> coefficients);
 /// The value of a polynomial by Horner's rule in omega^2, even and odd powers apart.
-Complex at(Program& program, const Complex& polynomial, NodeId omega);
-bool is_one(const Program& program, const Complex& z);
+ComplexNode at(Program& program, const ComplexNode& polynomial, NodeId omega);
+bool is_one(const Program& program, const ComplexNode& z);
 ComplexSum sum_of_products(Program& program,
-                           const std::vector<std::pair<Complex, Complex>>& products);
-Complex real_multiple(Program& program, NodeId factor, const Complex& z);
+                           const std::vector<std::pair<ComplexNode, ComplexNode>>& products);
+ComplexNode real_multiple(Program& program, NodeId factor, const ComplexNode& z);
 
 /// |z|^2.
-NodeId square(Program& program, const Complex& z);
+NodeId square(Program& program, const ComplexNode& z);
 /// |re| + |im|, from |z| to sqrt(2) |z|, as a bound.
-NodeId size_bound(Program& program, const Complex& z);
+NodeId size_bound(Program& program, const ComplexNode& z);
 
 }  // namespace vcrit::symbolic

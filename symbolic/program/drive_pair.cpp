@@ -76,7 +76,7 @@ DrivePair PairWriter::mass(const Element& element) {
 }
 
 PairWriter::Sum PairWriter::sum(const std::vector<Term>& terms) {
-  std::vector<std::pair<Complex, Complex>> products;
+  std::vector<std::pair<ComplexNode, ComplexNode>> products;
   Sum whole{{}, program_.constant(0), terms.front().range, 0};
   for (const Term& term : terms) {
     products.emplace_back(term.a, term.b);
@@ -126,7 +126,8 @@ DrivePair PairWriter::with(DrivePair whole, const Sum& t, const Sum& q) {
 
 // The last rounding of the difference, the damper's omega c and the tail.
 PairWriter::Sum PairWriter::difference(const DrivePair& spring, const DrivePair& mass) {
-  const Complex value{program_.less_inertia(spring.t.re, mass.inertia->mass, omega_), spring.t.im};
+  const ComplexNode value{program_.less_inertia(spring.t.re, mass.inertia->mass, omega_),
+                          spring.t.im};
   const NodeId tail =
       program_.multiply(program_.constant(GiNaC::numeric(1, 1L << tail_bits)), mass.inertia->size);
   ExponentRange range{mass.t_range.low - tail_bits,
@@ -215,7 +216,7 @@ namespace {
 
 /// D with S_D, and what is checked on the way.
 struct PairBody {
-  Complex d;
+  ComplexNode d;
   NodeId size, errors;
   ExponentRange range;
 };
@@ -226,7 +227,7 @@ PairBody pair_body(Program& program, StiffnessWriter& stiffness, const DrivePair
   const NodeId inertia = size_of_inertia(program, program.size(*mass), omega);
   const ExponentRange range = stiffness.guarded(inertia);
   const NodeId product = program.multiply(program.multiply(*mass, omega), omega);
-  const Complex less = real(program, program.negate(product));
+  const ComplexNode less = real(program, program.negate(product));
   const ComplexSum d =
       sum_of_products(program, {{drive.t, real(program, program.constant(1))}, {drive.q, less}});
   const int local = both_components(d) + inertia_roundings;
@@ -236,7 +237,7 @@ PairBody pair_body(Program& program, StiffnessWriter& stiffness, const DrivePair
 }
 
 /// n S over what is left, |z| >= size_bound(z)/sqrt(2).
-NodeId relative_errors(Program& program, NodeId errors, NodeId size, const Complex& z) {
+NodeId relative_errors(Program& program, NodeId errors, NodeId size, const ComplexNode& z) {
   const NodeId share = program.divide(program.multiply(errors, size), size_bound(program, z));
   return program.multiply(program.constant(GiNaC::numeric(3, 2)), share);
 }

@@ -21,7 +21,7 @@
 namespace vcrit::symbolic {
 
 struct DrivePair {
-  Complex t, q;
+  ComplexNode t, q;
   NodeId t_size = 0, q_size = 0;  ///< S_T and S_Q, bounds
   /// From where S lies, if it is not 0, to where T and Q lie. Numbers that cancel may be smaller:
   /// what they lose below the doubles is far less than a rounding of S.
@@ -62,12 +62,12 @@ class PairWriter {
 
  private:
   struct Term {
-    const Complex &a, &b;
+    const ComplexNode &a, &b;
     NodeId size_a, size_b;
     ExponentRange range;
   };
   struct Sum {
-    Complex value;
+    ComplexNode value;
     NodeId size;
     ExponentRange range;
     int local;
@@ -89,7 +89,7 @@ class PairWriter {
 
 /// D = K_d - m omega^2 and N = K_t + D, each times Q of the drive, and N times that of K_t, too.
 struct PairBalance {
-  Complex d, n;
+  ComplexNode d, n;
   ExponentRange d_range, n_range;
   NodeId errors;  ///< of |N|/|D|, relative, in roundings; a bound
   bool fits;      ///< whether all products on the way are in the range of doubles

@@ -29,12 +29,12 @@ constexpr std::uint64_t points_looked_at = 100;
 /// The scene at a point, and how it changes along a line through it.
 class SceneAt {
  public:
-  SceneAt(const Model& model, const FixedNumbers& fixed, std::uint64_t number)
+  SceneAt(const SymbolicModel& model, const FixedNumbers& fixed, std::uint64_t number)
       : fixed_(fixed), point_(named_point(2 * number)), direction_(named_point(2 * number + 1)) {
     algebra_.point = [this](const std::string& name) { return at(name); };
     algebra_.s = DualResidue(imaginary_unit) * at("omega");
     algebra_.known[own_name("R_d")] = receptance();
-    for (const Part& part : model.networks())
+    for (const NamedNetwork& part : model.networks())
       algebra_.known[own_name(part.name)] = evaluate(part.network.reduction(), algebra_);
     for (const Line& identity : model.identities())
       algebra_.known[GiNaC::ex_to<GiNaC::symbol>(identity.left).get_name()] =
@@ -72,7 +72,7 @@ class SceneAt {
   }
 
   const FixedNumbers& fixed_;
-  Point point_, direction_;
+  ResiduePoint point_, direction_;
   NumberAlgebra<DualResidue> algebra_;
 };
 
@@ -118,7 +118,7 @@ class ProgramAt {
       if (program[id].kind != NodeKind::bound) values_[id] = value(id);
   }
   GaussianResidue operator[](NodeId id) const { return values_.at(id); }
-  GaussianResidue operator[](const Complex& z) const {
+  GaussianResidue operator[](const ComplexNode& z) const {
     return values_.at(z.re) + imaginary_unit * values_.at(z.im);
   }
 
@@ -175,7 +175,7 @@ class ProgramAt {
 
 /// compare: throws Bug for a difference, and NoInverse where it divides by 0.
 template <class Compare>
-void at_points(const Model& model, const FixedNumbers& fixed, const Compare& compare) {
+void at_points(const SymbolicModel& model, const FixedNumbers& fixed, const Compare& compare) {
   int compared = 0;
   for (std::uint64_t number = 0; number < points_looked_at && compared < compared_points;
        ++number) {
@@ -221,7 +221,7 @@ Proof::Proof(const Derivation& derivation, const SymbolValue& value)
   ratio_ = isotropic->quantity.value;
   ratio_name_ = to_text(isotropic->quantity.symbol);
   fixed_[ratio_name_] = exact_binary(*ratio_);
-  model_ = std::make_shared<const Model>(
+  model_ = std::make_shared<const SymbolicModel>(
       with_isotropic(problem_, {isotropic->by, {isotropic->quantity.symbol, {}}}));
 }
 
@@ -265,7 +265,7 @@ void Proof::holds(const GradientProgram& gradient) const {
 
 void Proof::holds(const QuantityProgram& quantities) const {
   std::vector<NodeId> results;
-  const auto add = [&results](const Complex& z) {
+  const auto add = [&results](const ComplexNode& z) {
     results.push_back(z.re);
     results.push_back(z.im);
   };

@@ -30,7 +30,7 @@ class Proof {
 
  private:
   Problem problem_;
-  std::shared_ptr<const Model> model_;  ///< the ratio of an isotropic contact is a symbol
+  std::shared_ptr<const SymbolicModel> model_;  ///< the ratio of an isotropic contact is a symbol
   std::map<std::string, GiNaC::numeric> fixed_;
   std::optional<double> ratio_;
   std::string ratio_name_;

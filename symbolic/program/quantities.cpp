@@ -17,18 +17,20 @@ constexpr int element_exponent = 64;
 // Squares of T and Q stay far within the doubles.
 constexpr double largest_part = 400;
 
-Complex times(Program& program, const Complex& a, const Complex& b) {
+ComplexNode times(Program& program, const ComplexNode& a, const ComplexNode& b) {
   return sum_of_products(program, {{a, b}}).value;
 }
 
-Complex conjugate(Program& program, const Complex& z) { return {z.re, program.negate(z.im)}; }
+ComplexNode conjugate(Program& program, const ComplexNode& z) {
+  return {z.re, program.negate(z.im)};
+}
 
-Complex complex_sum(Program& program, const Complex& a, const Complex& b) {
+ComplexNode complex_sum(Program& program, const ComplexNode& a, const ComplexNode& b) {
   return {program.add(a.re, b.re), program.add(a.im, b.im)};
 }
 
 /// |z|; without a root where one part is 0.
-NodeId modulus(Program& program, const Complex& z) {
+NodeId modulus(Program& program, const ComplexNode& z) {
   if (program.is_constant(z.im, 0)) return program.magnitude(z.re);
   if (program.is_constant(z.re, 0)) return program.magnitude(z.im);
   return program.root(square(program, z));
@@ -37,7 +39,7 @@ NodeId modulus(Program& program, const Complex& z) {
 /// An oscillation over another one: |z|, and a number with the argument of z.
 struct PointResponse {
   NodeId amplitude;
-  Complex direction;
+  ComplexNode direction;
 };
 
 /// The contact point's oscillation over du_z is Eq. (24) without moduli: its algebra in eq24.hpp.
@@ -65,25 +67,25 @@ class QuantityWriter {
   }
 
   PointResponse outer() { return {program_.constant(1), real(program_, program_.constant(1))}; }
-  void times_mount(PointResponse& z, const Complex&, const ReducedNetwork&) {
+  void times_mount(PointResponse& z, const ComplexNode&, const ReducedNetwork&) {
     times_quotient(z, result_.mount->k, *mounted_);
   }
   NodeId ratio(const Isotropic&) const { return *ratio_; }
-  const Complex& normal() const { return result_.normal.k; }
-  const Complex& tangential(const ReducedNetwork&) const { return result_.tangential.k; }
-  const Complex& scaled(NodeId, const Complex&) const { return result_.tangential.k; }
+  const ComplexNode& normal() const { return result_.normal.k; }
+  const ComplexNode& tangential(const ReducedNetwork&) const { return result_.tangential.k; }
+  const ComplexNode& scaled(NodeId, const ComplexNode&) const { return result_.tangential.k; }
   /// By a number above 0.
   void divide(PointResponse& z, NodeId ratio) {
     z.amplitude = program_.divide(z.amplitude, program_.magnitude(ratio));
   }
-  void times_quotient(PointResponse& z, const Complex& above, const Complex& below) {
+  void times_quotient(PointResponse& z, const ComplexNode& above, const ComplexNode& below) {
     z.amplitude = program_.multiply(
         z.amplitude, program_.divide(modulus(program_, above), modulus(program_, below)));
     z.direction = times(program_, z.direction, times(program_, above, conjugate(program_, below)));
   }
   /// (K_t + D)/D, and with D/Q in the place of D where that may be infinite.
-  void times_drive(PointResponse& z, const Complex& tangential, const auto& /*drive*/) {
-    const Complex contact = pair_ ? times(program_, tangential, pair_->q) : tangential;
+  void times_drive(PointResponse& z, const ComplexNode& tangential, const auto& /*drive*/) {
+    const ComplexNode contact = pair_ ? times(program_, tangential, pair_->q) : tangential;
     times_quotient(z, complex_sum(program_, contact, *dynamic_), *dynamic_);
   }
 
@@ -103,9 +105,9 @@ class QuantityWriter {
     return result;
   }
 
-  Complex quotient(const Complex& t, const Complex& q) {
+  ComplexNode quotient(const ComplexNode& t, const ComplexNode& q) {
     if (is_one(program_, q)) return t;
-    const Complex above = times(program_, t, conjugate(program_, q));
+    const ComplexNode above = times(program_, t, conjugate(program_, q));
     const NodeId below = square(program_, q);
     return {program_.divide(above.re, below), program_.divide(above.im, below)};
   }
@@ -154,12 +156,13 @@ class QuantityWriter {
   }
 
   /// K_d - m omega^2, times Q of a drive that is a pair.
-  Complex dynamic_stiffness() {
+  ComplexNode dynamic_stiffness() {
     if (pair_) return dynamic_pair();
     return less_inertia(result_.drive->k, problem_->mass, result_.drive->exact_re);
   }
 
-  Complex less_inertia(const Complex& k, const std::optional<Quantity>& mass, bool exact_re) {
+  ComplexNode less_inertia(const ComplexNode& k, const std::optional<Quantity>& mass,
+                           bool exact_re) {
     if (!mass) return k;
     const NodeId m = symbol(mass->symbol);
     if (exact_re) return {program_.less_inertia(k.re, m, omega_), k.im};
@@ -167,19 +170,19 @@ class QuantityWriter {
     return {program_.subtract(k.re, inertia), k.im};
   }
 
-  Complex dynamic_pair() {
+  ComplexNode dynamic_pair() {
     if (!problem_->mass) return pair_->t;
     const NodeId m = symbol(problem_->mass->symbol);
     const NodeId inertia = program_.multiply(program_.multiply(m, omega_), omega_);
-    const Complex less = real(program_, program_.negate(inertia));
-    const Complex one = real(program_, program_.constant(1));
+    const ComplexNode less = real(program_, program_.negate(inertia));
+    const ComplexNode one = real(program_, program_.constant(1));
     return sum_of_products(program_, {{pair_->t, one}, {pair_->q, less}}).value;
   }
 
   /// K_m, K_m + K_n - m_n omega^2, and the contact's height over the vibrator's.
   void write_mount() {
     result_.mount = network(problem_->mount->network());
-    const Complex sum = complex_sum(program_, result_.mount->k, result_.normal.k);
+    const ComplexNode sum = complex_sum(program_, result_.mount->k, result_.normal.k);
     mounted_ = less_inertia(sum, problem_->mount_mass, false);
     PointResponse z = outer();
     times_quotient(z, result_.mount->k, *mounted_);
@@ -187,7 +190,7 @@ class QuantityWriter {
   }
 
   OscillationResult body() {
-    const Complex k = pair_ ? times(program_, result_.normal.k, pair_->q) : result_.normal.k;
+    const ComplexNode k = pair_ ? times(program_, result_.normal.k, pair_->q) : result_.normal.k;
     const NodeId ratio = program_.divide(modulus(program_, k), modulus(program_, *dynamic_));
     PointResponse z{ratio, times(program_, k, conjugate(program_, *dynamic_))};
     if (problem_->mount) times_quotient(z, result_.mount->k, *mounted_);
@@ -200,7 +203,9 @@ class QuantityWriter {
   }
 
   /// Friction acts against the sliding.
-  Complex against(const Complex& z) { return {program_.negate(z.re), program_.negate(z.im)}; }
+  ComplexNode against(const ComplexNode& z) {
+    return {program_.negate(z.re), program_.negate(z.im)};
+  }
 
   /// (3) and (4): u_z0 K_n(0)/|K_n(i omega)|, at most u_z0; K_n(0) <= |K_n| as no part of a
   /// network of springs and dampers grows softer with the frequency.
@@ -212,7 +217,7 @@ class QuantityWriter {
           program_.divide(symbol(problem_->load->symbol), modulus(program_, result_.normal.k)));
     const std::optional<Network> at_rest = springs_alone(problem_->normal.network());
     if (!at_rest) return std::nullopt;
-    const Complex k = network(*at_rest).k;
+    const ComplexNode k = network(*at_rest).k;
     const NodeId share = program_.divide(k.re, modulus(program_, result_.normal.k));
     return of_vibrator(program_.multiply(symbol({"u_z0"}), share));
   }
@@ -231,7 +236,7 @@ class QuantityWriter {
   StiffnessWriter stiffness_;
   NodeId friction_ = 0;
   std::optional<NodeId> ratio_;
-  std::optional<Complex> dynamic_, mounted_;
+  std::optional<ComplexNode> dynamic_, mounted_;
   std::optional<DrivePair> pair_;  ///< of a drive with masses, or measured
   QuantityProgram result_;
 };

@@ -14,7 +14,7 @@
 namespace vcrit::symbolic {
 
 struct StiffnessResult {
-  Complex k;
+  ComplexNode k;
   /// The error of K is at most this many roundings (2^-53) of |K|; nothing where a mesh only knows
   /// at run time.
   std::optional<int> roundings;
@@ -25,7 +25,7 @@ struct StiffnessResult {
 /// x(t) = amplitude cos(omega t + phase) beside u_z = du_z cos(omega t)
 struct OscillationResult {
   NodeId amplitude = 0;
-  Complex direction;  ///< of the phase; any length
+  ComplexNode direction;  ///< of the phase; any length
 };
 
 struct QuantityProgram {

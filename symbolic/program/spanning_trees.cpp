@@ -18,7 +18,7 @@ constexpr std::size_t most_nodes = 1500;
 /// same with the terminals joined; no common factor may be dropped, as the two are added up.
 /// Errors are in roundings of the number's own absolute value.
 struct Pair {
-  Complex t, q;
+  ComplexNode t, q;
   double t_error = 0, q_error = 0;
   ExponentRange t_range, q_range;
 };
@@ -46,7 +46,7 @@ class TreeWriter {
  private:
   Pair between_terminals(std::vector<Edge> edges) {
     if (program_.nodes().size() > limit_) throw TooLong();
-    const Complex unity = this->unity(edges);
+    const ComplexNode unity = this->unity(edges);
     Pair outside{unity, unity, 0, 0, {}, {}};  // factors of both sums
     reduce(edges, outside);
     const auto across =
@@ -82,12 +82,12 @@ class TreeWriter {
 
   /// A product of two complex numbers with its error.
   struct Term {
-    Complex a, b;
+    ComplexNode a, b;
     double error;
     ExponentRange range;
   };
 
-  Complex unity(const std::vector<Edge>& edges) {
+  ComplexNode unity(const std::vector<Edge>& edges) {
     const NodeId one = program_.constant(1);
     if (!edges.front().pair.t.coefficients.empty()) return polynomial({one});
     return {one, program_.constant(0)};
@@ -95,14 +95,14 @@ class TreeWriter {
 
   // Both sums of spanning trees are the same multiple of two stiffnesses that add up: they lie in
   // one quadrant, |a| + |b| <= sqrt(2) |a + b|.
-  void add(const Term& a, const Term& b, Complex& sum, double& error, ExponentRange& range) {
+  void add(const Term& a, const Term& b, ComplexNode& sum, double& error, ExponentRange& range) {
     const ComplexSum whole = sum_of_products(program_, {{a.a, a.b}, {b.a, b.b}});
     sum = whole.value;
     error = 1.4143 * std::max(a.error, b.error) + 2 * whole.roundings;
     range = sum_range(a.range, b.range, zeros_);
   }
 
-  Complex product(const Complex& a, const Complex& b, double& error) {
+  ComplexNode product(const ComplexNode& a, const ComplexNode& b, double& error) {
     const ComplexSum whole = sum_of_products(program_, {{a, b}});
     error += 1.4143 * whole.roundings;
     return whole.value;
@@ -139,7 +139,8 @@ class TreeWriter {
     return whole;
   }
 
-  void multiply_outside(Pair& outside, const Complex& factor, double error, ExponentRange range) {
+  void multiply_outside(Pair& outside, const ComplexNode& factor, double error,
+                        ExponentRange range) {
     outside.t_error += error;
     outside.t = product(outside.t, factor, outside.t_error);
     outside.t_range = outside.t_range + range;
@@ -194,7 +195,7 @@ class TreeWriter {
         return e.from == node ? e.to : e.from;
       };
       first = {other_end(first), other_end(second), series(first.pair, second.pair)};
-      Complex& q = first.pair.q;
+      ComplexNode& q = first.pair.q;
       if (sums == Sums::of_all_edges && q.coefficients.empty()) {
         q.re = program_.nonzero(q.re, q.im);
         first.pair.q_range = with_one(first.pair.q_range, zeros_);
@@ -224,7 +225,7 @@ class TreeWriter {
     for (const Edge& e : edges) stiffnesses.emplace_back(e.pair.t.re, e.pair.t.im);
     const NodeId gaps = program_.gaps(stiffnesses);
     for (std::size_t i = 0; i < edges.size(); ++i) {
-      Complex& t = edges[i].pair.t;
+      ComplexNode& t = edges[i].pair.t;
       const NodeId tie = program_.tie(gaps, i, wires);
       // 1 or i: what is real or imaginary stays so.
       const bool is_imaginary = program_.is_constant(t.re, 0);

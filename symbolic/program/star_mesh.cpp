@@ -13,7 +13,7 @@ class Mesh {
   /// Edges may leave the first quadrant: each carries its error in roundings, to first order in
   /// what came before (the factor 1.01 covers the rest), and its absolute value.
   struct Value {
-    Complex k;
+    ComplexNode k;
     NodeId roundings, size;
   };
 
@@ -34,7 +34,7 @@ class Mesh {
   Value parallel(const Value& a, const Value& b) {
     const NodeId size_a = program_.multiply(a.roundings, a.size);
     const NodeId size_b = program_.multiply(b.roundings, b.size);
-    const Complex k{program_.add(a.k.re, b.k.re), program_.add(a.k.im, b.k.im)};
+    const ComplexNode k{program_.add(a.k.re, b.k.re), program_.add(a.k.im, b.k.im)};
     const NodeId sizes = program_.add(size_a, size_b);
     // Without error where both edges are 0.
     const NodeId before = program_.divide(sizes, program_.nonzero(length(k), sizes));
@@ -45,9 +45,9 @@ class Mesh {
 
   // a b/total: product 3, quotient of complex numbers 7.
   Value mesh(const Value& a, const Value& b, const Value& total) {
-    const Complex product = sum_of_products(program_, {{a.k, b.k}}).value;
-    const Complex conjugate{total.k.re, program_.negate(total.k.im)};
-    const Complex top = sum_of_products(program_, {{product, conjugate}}).value;
+    const ComplexNode product = sum_of_products(program_, {{a.k, b.k}}).value;
+    const ComplexNode conjugate{total.k.re, program_.negate(total.k.im)};
+    const ComplexNode top = sum_of_products(program_, {{product, conjugate}}).value;
     const NodeId norm = program_.nonzero(square(program_, total.k), program_.constant(0));
     const NodeId before = program_.add(program_.add(a.roundings, b.roundings), total.roundings);
     return edge({program_.divide(top.re, norm), program_.divide(top.im, norm)},
@@ -57,14 +57,14 @@ class Mesh {
  private:
   NodeId factor() { return program_.constant(GiNaC::numeric(1034, 1024)); }
 
-  NodeId length(const Complex& k) {
+  NodeId length(const ComplexNode& k) {
     if (program_.is_constant(k.im, 0)) return program_.size(k.re);
     if (program_.is_constant(k.re, 0)) return program_.size(k.im);
     const NodeId re = program_.size(k.re), im = program_.size(k.im);
     return program_.root(program_.add(program_.multiply(re, re), program_.multiply(im, im)));
   }
 
-  Value edge(const Complex& k, NodeId roundings) {
+  Value edge(const ComplexNode& k, NodeId roundings) {
     const NodeId size = length(k);
     return {k, program_.add(roundings, program_.unless_moderate(size)), size};
   }

@@ -9,14 +9,14 @@
 namespace vcrit::symbolic {
 
 struct MeshedStiffness {
-  Complex k;
+  ComplexNode k;
   NodeId roundings;  ///< a bound
 };
 
 /// An element's stiffness as T/Q with Q = 1 or, Maxwell branch, 1 + i x, and its error in
 /// roundings.
 struct MeshElement {
-  Complex t, q;
+  ComplexNode t, q;
   int roundings = 0;
 };
 

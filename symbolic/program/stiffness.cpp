@@ -277,7 +277,7 @@ Stiffness StiffnessWriter::series(Stiffness a, Stiffness b) {
   fit_products(a, b);
   const ComplexSum t = sum_of_products(program_, {{a.t, b.t}});
   const ComplexSum q = sum_of_products(program_, {{a.t, b.q}, {b.t, a.q}});
-  Complex divisor = q.value;
+  ComplexNode divisor = q.value;
   if (!polynomials_) divisor.re = program_.nonzero(divisor.re, divisor.im);
   Stiffness whole;
   whole.t = t.value;

@@ -34,7 +34,7 @@ struct Guard {
 };
 
 struct Stiffness {
-  Complex t, q;  ///< K = t/q
+  ComplexNode t, q;  ///< K = t/q
   ExponentRange t_range, q_range, range;
   int path = 0;                     ///< roundings on the longest path
   std::optional<NodeId> roundings;  ///< those of meshes, known at run time, on top of `path`

@@ -20,7 +20,7 @@ constexpr int usual_omega = 17, octaves = 8;
 class SweepWriter {
   /// A factor of v*: a polynomial, or its value at omega where it is not multiplied out.
   struct Factor {
-    Complex polynomial, value;
+    ComplexNode polynomial, value;
     ExponentRange range;
     bool is_passive = true;  ///< roots real and negative
   };
@@ -125,18 +125,18 @@ class SweepWriter {
     return scaled ? scaled_at_usual_omega(*k) : *k;
   }
 
-  static bool is_short(const Complex& z) { return z.coefficients.size() <= longest_polynomial; }
+  static bool is_short(const ComplexNode& z) { return z.coefficients.size() <= longest_polynomial; }
 
   Stiffness scaled_at_usual_omega(Stiffness k) {
     NodeId size = program_.constant(0);
-    for (const Complex* z : {&k.t, &k.q})
+    for (const ComplexNode* z : {&k.t, &k.q})
       for (std::size_t j = 0; j < z->coefficients.size(); ++j)
         size = program_.multiply_add(
             z->coefficients[j],
             program_.constant(GiNaC::pow(GiNaC::numeric(2), GiNaC::numeric(usual_omega * j))),
             size);
     const NodeId unit = program_.unit(size);
-    const auto range = [](const Complex& z, double low) {
+    const auto range = [](const ComplexNode& z, double low) {
       const double extent = octaves * static_cast<double>(z.coefficients.size() - 1);
       return ExponentRange{low - 3 - extent, 2 + extent};
     };
@@ -147,12 +147,12 @@ class SweepWriter {
     return k;
   }
 
-  Complex times(NodeId factor, Complex z) {
+  ComplexNode times(NodeId factor, ComplexNode z) {
     for (NodeId& each : z.coefficients) each = program_.multiply(factor, each);
     return z;
   }
 
-  Factor passive(const Complex& z, ExponentRange range) {
+  Factor passive(const ComplexNode& z, ExponentRange range) {
     return {z, at(program_, z, omega_), range, true};
   }
 
@@ -165,23 +165,23 @@ class SweepWriter {
     result.is_passive = false;
     result.range = {std::max(d.t_range.low, d.q_range.low + inertia.low) - cancellation,
                     std::max(d.t_range.high, d.q_range.high + inertia.high) + 1};
-    const Complex t = at(program_, d.t, omega_);
+    const ComplexNode t = at(program_, d.t, omega_);
     if (is_one(program_, d.q) && program_[t.re].kind == NodeKind::exact) {
       result.value = {program_.less_inertia(t.re, m, omega_), t.im};
       return result;
     }
     const NodeId zero = program_.constant(0), one = program_.constant(1);
-    const Complex whole =
+    const ComplexNode whole =
         sum_of_products(program_, {{d.t, polynomial({one})}, {d.q, polynomial({zero, zero, m})}})
             .value;
     if (is_short(whole)) return as_polynomial(result, whole);
-    const Complex less{program_.negate(program_.multiply(m, square_)), zero};
+    const ComplexNode less{program_.negate(program_.multiply(m, square_)), zero};
     result.value =
         sum_of_products(program_, {{t, {one, zero}}, {at(program_, d.q, omega_), less}}).value;
     return result;
   }
 
-  Factor as_polynomial(Factor factor, const Complex& z) {
+  Factor as_polynomial(Factor factor, const ComplexNode& z) {
     factor.polynomial = z;
     factor.value = at(program_, z, omega_);
     return factor;
@@ -198,7 +198,8 @@ class SweepWriter {
     result.range = {std::max(first.low, second.low) - (mass ? cancellation : 1),
                     std::max(first.high, second.high) + 1};
     if (!body.polynomial.coefficients.empty()) {
-      const Complex whole = sum_of_products(program_, {{t.t, d.q}, {t.q, body.polynomial}}).value;
+      const ComplexNode whole =
+          sum_of_products(program_, {{t.t, d.q}, {t.q, body.polynomial}}).value;
       if (is_short(whole)) return as_polynomial(result, whole);
     }
     result.value =

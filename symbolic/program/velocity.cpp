@@ -16,7 +16,7 @@ constexpr double exact_cancellation = 160;
 
 /// |z| of it, and where |z| lies.
 struct Factor {
-  Complex value;
+  ComplexNode value;
   ExponentRange range;
 };
 
@@ -183,7 +183,7 @@ class VelocityWriter {
 
   /// D with a bound of |error| in roundings, absolute.
   struct Difference {
-    Complex value;
+    ComplexNode value;
     ExponentRange range;
     NodeId error = 0;
   };
@@ -207,8 +207,8 @@ class VelocityWriter {
       return result;
     }
     const NodeId inertia_value = program_.multiply(program_.multiply(m, omega_), omega_);
-    const Complex less = real(program_, program_.negate(inertia_value));
-    const Complex unity = real(program_, number(1));
+    const ComplexNode less = real(program_, program_.negate(inertia_value));
+    const ComplexNode unity = real(program_, number(1));
     const ComplexSum sum = sum_of_products(program_, {{d.t, unity}, {d.q, less}});
     result.value = sum.value;
     const int local = static_cast<int>(std::ceil(1.4143 * sum.roundings));
@@ -286,7 +286,7 @@ class VelocityWriter {
   void finish(const Velocity& v) {
     const NodeId errors = errors_of(v);
     const auto has_both = [this](const Factor& factor) {
-      const Complex& z = factor.value;
+      const ComplexNode& z = factor.value;
       return !program_.is_constant(z.re, 0) && !program_.is_constant(z.im, 0);
     };
     result_.rooted = std::any_of(v.above.begin(), v.above.end(), has_both) ||

@@ -9,7 +9,7 @@ namespace {
 /// A node as factors.
 std::vector<Item> factors(const Expressions& all, ExNode node) {
   if (node == 0) return {};
-  if (all[node].kind == Kind::product) return all[node].items;
+  if (all[node].kind == ExpressionKind::product) return all[node].items;
   return {{node, 1, {}}};
 }
 

@@ -71,25 +71,25 @@ std::int64_t square_part(std::int64_t& n) {
 
 }  // namespace
 
-Expressions::Expressions() : known_(1024, Hash{this}, Same{this}) { make(Kind::one, {}); }
+Expressions::Expressions() : known_(1024, Hash{this}, Same{this}) { make(ExpressionKind::one, {}); }
 
 bool Expressions::Same::operator()(ExNode a, ExNode b) const {
   const NodeData &x = all->nodes_[a], &y = all->nodes_[b];
   return x.kind == y.kind && x.name == y.name && x.items == y.items;
 }
 
-bool Expressions::is_positive(Kind kind, const std::vector<Item>& items) const {
+bool Expressions::is_positive(ExpressionKind kind, const std::vector<Item>& items) const {
   const auto all = [&](const auto& holds) {
     return std::all_of(items.begin(), items.end(), holds);
   };
-  if (kind == Kind::sum)
+  if (kind == ExpressionKind::sum)
     return all([&](const Item& i) { return !i.factor.negative() && nodes_[i.node].positive; });
-  if (kind == Kind::product)
+  if (kind == ExpressionKind::product)
     return all([&](const Item& i) { return i.exponent % 2 == 0 || nodes_[i.node].positive; });
   return true;
 }
 
-ExNode Expressions::make(Kind kind, std::vector<Item> items) {
+ExNode Expressions::make(ExpressionKind kind, std::vector<Item> items) {
   NodeData data{kind, is_positive(kind, items), 0, std::move(items), 0};
   data.hash = node_hash(data);
   spend(8 + 2 * data.items.size());
@@ -100,7 +100,8 @@ ExNode Expressions::make(Kind kind, std::vector<Item> items) {
 }
 
 Ex Expressions::symbol(std::string name, int operations, bool leads) {
-  nodes_.push_back({Kind::symbol, true, static_cast<std::uint32_t>(names_.size()), {}, 0});
+  nodes_.push_back(
+      {ExpressionKind::symbol, true, static_cast<std::uint32_t>(names_.size()), {}, 0});
   nodes_.back().hash = node_hash(nodes_.back());
   const ExNode node = static_cast<ExNode>(nodes_.size() - 1);
   known_.insert(node);
@@ -115,7 +116,8 @@ Ex Expressions::signed_symbol(std::string name) {
 }
 
 Ex Expressions::named(std::string letter, const Ex& meaning, int operations, bool positive) {
-  const bool is_name = meaning.factor.is_one() && nodes_[meaning.node].kind == Kind::symbol &&
+  const bool is_name = meaning.factor.is_one() &&
+                       nodes_[meaning.node].kind == ExpressionKind::symbol &&
                        this->operations(meaning.node) == 0;
   if (is_name || meaning.is_number()) return meaning;
   for (const Name& name : names_)
@@ -134,7 +136,7 @@ Ex Expressions::sum(std::vector<Ex> terms) {
   join_terms(items);
   // A sum of sums is one sum, unless a number stands before one of them.
   const auto is_part = [this](const Item& item) {
-    return item.factor.is_unit() && nodes_[item.node].kind == Kind::sum;
+    return item.factor.is_unit() && nodes_[item.node].kind == ExpressionKind::sum;
   };
   while (std::any_of(items.begin(), items.end(), is_part)) {
     std::vector<Item> flat;
@@ -156,7 +158,7 @@ Ex Expressions::sum(std::vector<Ex> terms) {
     if (!(absolute(item.factor) == common)) common = {};
   if (items[0].factor.negative()) common = -common;
   for (Item& item : items) item.factor = item.factor / common;
-  return {common, make(Kind::sum, std::move(items))};
+  return {common, make(ExpressionKind::sum, std::move(items))};
 }
 
 void Expressions::multiply_into(std::vector<Item>& items, SmallFraction& factor,
@@ -165,14 +167,14 @@ void Expressions::multiply_into(std::vector<Item>& items, SmallFraction& factor,
   factor = factor * shortest::power(base.factor, exponent);
   const NodeData& data = nodes_[base.node];
   switch (data.kind) {
-    case Kind::one:
+    case ExpressionKind::one:
       return;
-    case Kind::product:
+    case ExpressionKind::product:
       for (const Item& item : data.items)
         multiply_into(items, factor, under_root, root_factor, {{}, item.node},
                       item.exponent * exponent);
       return;
-    case Kind::root: {
+    case ExpressionKind::root: {
       const Ex argument{data.items[0].factor, data.items[0].node};
       const int left = exponent % 2;
       multiply_into(items, factor, under_root, root_factor, argument, (exponent - left) / 2);
@@ -181,7 +183,7 @@ void Expressions::multiply_into(std::vector<Item>& items, SmallFraction& factor,
       under_root.push_back({argument.node, left, {}});
       return;
     }
-    case Kind::magnitude:
+    case ExpressionKind::magnitude:
       if (exponent % 2 == 0)
         return multiply_into(items, factor, under_root, root_factor, {{}, data.items[0].node},
                              exponent);
@@ -205,15 +207,15 @@ Ex Expressions::product(const std::vector<std::pair<Ex, int>>& factors) {
     const Ex whole = root(product(arguments));
     factor = factor * whole.factor;
     const NodeData& data = nodes_[whole.node];
-    if (data.kind == Kind::product)
+    if (data.kind == ExpressionKind::product)
       items.insert(items.end(), data.items.begin(), data.items.end());
-    else if (data.kind != Kind::one)
+    else if (data.kind != ExpressionKind::one)
       items.push_back({whole.node, 1, {}});
   }
   join_factors(items);
   // x^2 |x| is |x|^3.
   for (std::size_t i = 0; i < items.size(); ++i) {
-    if (nodes_[items[i].node].kind != Kind::magnitude) continue;
+    if (nodes_[items[i].node].kind != ExpressionKind::magnitude) continue;
     for (Item& other : items)
       if (other.node == nodes_[items[i].node].items[0].node && other.exponent % 2 == 0)
         items[i].exponent += std::exchange(other.exponent, 0);
@@ -221,7 +223,7 @@ Ex Expressions::product(const std::vector<std::pair<Ex, int>>& factors) {
   std::erase_if(items, [](const Item& item) { return item.exponent == 0; });
   if (items.empty()) return {factor, 0};
   if (items.size() == 1 && items[0].exponent == 1) return {factor, items[0].node};
-  return {factor, make(Kind::product, std::move(items))};
+  return {factor, make(ExpressionKind::product, std::move(items))};
 }
 
 Ex Expressions::root(const Ex& argument) {
@@ -231,7 +233,7 @@ Ex Expressions::root(const Ex& argument) {
   outside.over = square_part(inside.over), outside.under = square_part(inside.under);
   std::vector<std::pair<Ex, int>> before{{{outside, 0}, 1}}, left;
   const NodeData& data = nodes_[argument.node];
-  if (data.kind == Kind::product) {
+  if (data.kind == ExpressionKind::product) {
     for (const Item& item : data.items) {
       const int odd = item.exponent % 2;
       if (item.exponent != odd)
@@ -243,13 +245,13 @@ Ex Expressions::root(const Ex& argument) {
   }
   const Ex rest = product(left);
   if (rest.is_one() && inside.is_one()) return product(before);
-  before.push_back({{{}, make(Kind::root, {{rest.node, 1, inside}})}, 1});
+  before.push_back({{{}, make(ExpressionKind::root, {{rest.node, 1, inside}})}, 1});
   // Not by product(), which would take the root apart again.
   std::vector<Item> items;
   SmallFraction factor = outside;
   for (std::size_t i = 1; i < before.size(); ++i) {
     const ExNode node = before[i].first.node;
-    if (nodes_[node].kind == Kind::product)
+    if (nodes_[node].kind == ExpressionKind::product)
       for (const Item& item : nodes_[node].items)
         items.push_back({item.node, item.exponent * before[i].second, {}});
     else
@@ -257,14 +259,15 @@ Ex Expressions::root(const Ex& argument) {
   }
   join_factors(items);
   if (items.size() == 1 && items[0].exponent == 1) return {factor, items[0].node};
-  return {factor, make(Kind::product, std::move(items))};
+  return {factor, make(ExpressionKind::product, std::move(items))};
 }
 
 Ex Expressions::magnitude(const Ex& argument) {
   const SmallFraction size = absolute(argument.factor);
   const NodeData& data = nodes_[argument.node];
   if (data.positive) return {size, argument.node};
-  if (data.kind != Kind::product) return {size, make(Kind::magnitude, {{argument.node, 1, {}}})};
+  if (data.kind != ExpressionKind::product)
+    return {size, make(ExpressionKind::magnitude, {{argument.node, 1, {}}})};
   std::vector<std::pair<Ex, int>> factors{{{size, 0}, 1}};
   for (const Item& item : std::vector<Item>(data.items)) {
     const bool even = item.exponent % 2 == 0;

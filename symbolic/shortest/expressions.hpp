@@ -30,7 +30,7 @@ struct Ex {
   friend bool operator==(const Ex&, const Ex&) = default;
 };
 
-enum class Kind : std::uint8_t { one, symbol, sum, product, root, magnitude };
+enum class ExpressionKind : std::uint8_t { one, symbol, sum, product, root, magnitude };
 
 /// A term of a sum (factor * node), a factor of a product (node ^ exponent) or the argument of a
 /// root (factor * node) or an absolute value.
@@ -42,7 +42,7 @@ struct Item {
 };
 
 struct NodeData {
-  Kind kind = Kind::one;
+  ExpressionKind kind = ExpressionKind::one;
   bool positive = true;  ///< for all values of its symbols, of which none is zero
   std::uint32_t name = 0;
   std::vector<Item> items;  ///< by node number
@@ -102,7 +102,7 @@ class Expressions {
   /// What a named symbol stands for; 0 for others.
   const Ex& meaning(ExNode symbol) const { return names_[nodes_[symbol].name].meaning; }
   bool leads(ExNode node) const {
-    return nodes_[node].kind == Kind::symbol && names_[nodes_[node].name].leads;
+    return nodes_[node].kind == ExpressionKind::symbol && names_[nodes_[node].name].leads;
   }
 
   /// What has been worked, in steps of some ten nanoseconds: what bounds a search without a clock.
@@ -114,7 +114,7 @@ class Expressions {
   void allow(std::size_t work) { allowed_ = work_ + work; }
 
   /// The node of the items as they are: a sum or product part of a larger one.
-  ExNode make(Kind kind, std::vector<Item> items);
+  ExNode make(ExpressionKind kind, std::vector<Item> items);
 
  private:
   struct Hash {
@@ -126,7 +126,7 @@ class Expressions {
     bool operator()(ExNode a, ExNode b) const;
   };
 
-  bool is_positive(Kind kind, const std::vector<Item>& items) const;
+  bool is_positive(ExpressionKind kind, const std::vector<Item>& items) const;
   void multiply_into(std::vector<Item>& items, SmallFraction& factor, std::vector<Item>& under_root,
                      SmallFraction& root_factor, const Ex& base, int exponent);
 

@@ -45,11 +45,11 @@ bool Steps::cancel_in_front(ExNode omega) {
   for (StepPart& part : front.parts) {
     if (part.sign > 0 || steps_[part.step].kind != FormulaStep::Kind::symbol) continue;
     const Ex meaning = all_.meaning(steps_[part.step].node);
-    if (!meaning.factor.is_one() || all_[meaning.node].kind != Kind::product) continue;
+    if (!meaning.factor.is_one() || all_[meaning.node].kind != ExpressionKind::product) continue;
     const std::vector<Item>& items = all_[meaning.node].items;
     const auto is = [&](std::size_t i, bool is_omega) {
       return items[i].exponent == 1 && (items[i].node == omega) == is_omega &&
-             all_[items[i].node].kind == Kind::symbol;
+             all_[items[i].node].kind == ExpressionKind::symbol;
     };
     if (items.size() != 2 || !((is(0, true) && is(1, false)) || (is(0, false) && is(1, true))))
       continue;

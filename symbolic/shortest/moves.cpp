@@ -18,8 +18,8 @@ class Alternatives {
   const std::vector<Ex>& of(ExNode node) {
     node_ = node;
     found_.clear();
-    if (all_[node].kind == Kind::sum) of_sum(items(node));
-    if (all_[node].kind == Kind::product) of_product(items(node));
+    if (all_[node].kind == ExpressionKind::sum) of_sum(items(node));
+    if (all_[node].kind == ExpressionKind::product) of_product(items(node));
     return found_;
   }
 
@@ -42,7 +42,7 @@ class Alternatives {
   /// A term as its factors, until another term's are asked for.
   std::span<const Item> factors(ExNode term) const {
     if (term == 0) return {};
-    if (all_[term].kind == Kind::product) return all_[term].items;
+    if (all_[term].kind == ExpressionKind::product) return all_[term].items;
     single_ = {term, 1, {}};
     return {&single_, 1};
   }
@@ -106,7 +106,7 @@ class Alternatives {
   /// The term's product with a sum among its factors multiplied out.
   void expand(const Items& terms, const Item& term) {
     for (const Item& factor : factors(term.node)) {
-      if (all_[factor.node].kind != Kind::sum || factor.exponent != 1) continue;
+      if (all_[factor.node].kind != ExpressionKind::sum || factor.exponent != 1) continue;
       const Ex rest = over(term, {factor.node, 1});
       std::vector<Ex> whole;
       for (const Item& part : items(factor.node))
@@ -119,18 +119,18 @@ class Alternatives {
 
   /// Roots stay factors of the whole, and so does what leads it.
   bool stays_rational(ExNode factor) const {
-    return !all_.leads(factor) && all_[factor].kind != Kind::root;
+    return !all_.leads(factor) && all_[factor].kind != ExpressionKind::root;
   }
 
   void of_product(const Items& factors) {
     for (const Item& sum : factors)
-      if (all_[sum.node].kind == Kind::sum) {
+      if (all_[sum.node].kind == ExpressionKind::sum) {
         for (const Item& factor : factors)
           if (factor.node != sum.node && stays_rational(factor.node)) move_in(factors, sum, factor);
         scale_quotient(factors, sum);
       }
     for (const Item& root : factors)
-      if (all_[root.node].kind == Kind::root)
+      if (all_[root.node].kind == ExpressionKind::root)
         for (const Item& factor : factors)
           if (factor.node != root.node && !all_.leads(factor.node))
             move_under_root(factors, root, factor);
@@ -157,7 +157,7 @@ class Alternatives {
   /// one.
   void scale_quotient(const Items& factors, const Item& sum) {
     for (const Item& other : factors) {
-      if (other.node == sum.node || all_[other.node].kind != Kind::sum) continue;
+      if (other.node == sum.node || all_[other.node].kind != ExpressionKind::sum) continue;
       if (other.exponent != -sum.exponent) continue;
       for (const Power& power : powers_in(items(sum.node))) {
         const Ex a = sum_over(items(sum.node), power), b = sum_over(items(other.node), power);
@@ -172,11 +172,12 @@ class Alternatives {
   void move_under_root(const Items& factors, const Item& root, const Item& factor) {
     if (factor.exponent % root.exponent != 0) return;
     const Item argument = items(root.node)[0];
-    const ExNode base =
-        all_[factor.node].kind == Kind::magnitude ? items(factor.node)[0].node : factor.node;
+    const ExNode base = all_[factor.node].kind == ExpressionKind::magnitude
+                            ? items(factor.node)[0].node
+                            : factor.node;
     const int exponent = 2 * factor.exponent / root.exponent;
     for (const Item& inner : this->factors(argument.node)) {
-      if (all_[inner.node].kind != Kind::sum || exponent % inner.exponent != 0) continue;
+      if (all_[inner.node].kind != ExpressionKind::sum || exponent % inner.exponent != 0) continue;
       const Ex inside = sum_over(items(inner.node), {base, -(exponent / inner.exponent)});
       const Ex rest = product_without(this->factors(argument.node), inner.node, inner.node);
       const Ex whole =
@@ -228,15 +229,15 @@ class Replacing {
       const Ex ex = part(item);
       return Ex{ex.factor * item.factor, ex.node};
     };
-    if (data.kind == Kind::sum) {
+    if (data.kind == ExpressionKind::sum) {
       std::vector<Ex> terms;
       for (const Item& item : data.items) terms.push_back(scaled(item));
       made_[i] = all_.sum(std::move(terms));
-    } else if (data.kind == Kind::product) {
+    } else if (data.kind == ExpressionKind::product) {
       std::vector<std::pair<Ex, int>> factors;
       for (const Item& item : data.items) factors.emplace_back(part(item), item.exponent);
       made_[i] = all_.product(factors);
-    } else if (data.kind == Kind::root) {
+    } else if (data.kind == ExpressionKind::root) {
       made_[i] = all_.root(scaled(data.items[0]));
     } else {
       made_[i] = all_.magnitude(part(data.items[0]));

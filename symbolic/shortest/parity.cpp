@@ -38,21 +38,21 @@ bool Parity::of(const FormulaStep& step) const {
 bool Parity::is_odd_node(ExNode node) const {
   const NodeData& data = all_[node];
   switch (data.kind) {
-    case Kind::symbol: {
+    case ExpressionKind::symbol: {
       const Ex& meaning = all_.meaning(node);
       return odd_.contains(node) || (!meaning.is_zero() && is_odd_node(meaning.node));
     }
-    case Kind::product: {
+    case ExpressionKind::product: {
       bool odd = false;
       for (const Item& item : data.items)
         odd = odd != (item.exponent % 2 != 0 && is_odd_node(item.node));
       return odd;
     }
-    case Kind::sum:
-    case Kind::magnitude:
+    case ExpressionKind::sum:
+    case ExpressionKind::magnitude:
       return is_odd_node(data.items[0].node);
-    case Kind::one:
-    case Kind::root:
+    case ExpressionKind::one:
+    case ExpressionKind::root:
       break;
   }
   return false;

@@ -19,13 +19,13 @@ using Number = GaussianResidue;
 /// v*^2 of the derivation at a point.
 class DerivedAt {
  public:
-  explicit DerivedAt(const Point& point) : point_(point) {}
+  explicit DerivedAt(const ResiduePoint& point) : point_(point) {}
 
-  Number square(const Model& model) const {
+  Number square(const SymbolicModel& model) const {
     NumberAlgebra<Number> algebra;
     algebra.point = [this](const std::string& name) { return Number(point_(name)); };
     algebra.s = Number({}, Residue(1)) * algebra.point("omega");
-    for (const Part& part : model.networks())
+    for (const NamedNetwork& part : model.networks())
       algebra.known[own_name(part.name)] = evaluate(part.network.reduction(), algebra);
     for (const Line& identity : model.identities())
       algebra.known[GiNaC::ex_to<GiNaC::symbol>(identity.left).get_name()] =
@@ -36,14 +36,14 @@ class DerivedAt {
   }
 
  private:
-  const Point& point_;
+  const ResiduePoint& point_;
 };
 
 /// A form at a point. As a residue need not have a root, it is the form's square that is evaluated
 /// where there are roots and absolute values.
 class FormAt {
  public:
-  explicit FormAt(const Point& point) : point_(point) {}
+  explicit FormAt(const ResiduePoint& point) : point_(point) {}
 
   void define(const Line& group) {
     const NumberAlgebra<Residue> algebra{point_, {}};
@@ -109,14 +109,14 @@ class FormAt {
     throw Bug("roots are factors of v* alone");
   }
 
-  const Point& point_;
+  const ResiduePoint& point_;
   std::map<std::string, Residue> known_;
 };
 
 /// A rational function of names that are defined, at a point.
 struct DefinedAlgebra {
   using Value = Residue;
-  const Point& point;
+  const ResiduePoint& point;
   const std::vector<Line>& definitions;
 
   Value number(const GiNaC::numeric& value) const { return Residue(value); }
@@ -132,12 +132,12 @@ struct DefinedAlgebra {
   Value invert(Value a) const { return inverse(a); }
 };
 
-using SquareAt = std::function<GaussianResidue(const Point&)>;
+using SquareAt = std::function<GaussianResidue(const ResiduePoint&)>;
 
 void compare_at_points(const SquareAt& printed, const SquareAt& derived) {
   int compared = 0;
   for (std::uint64_t number = 0; number < most_points && compared < points_to_compare; ++number) {
-    const Point point = named_point(number);
+    const ResiduePoint point = named_point(number);
     try {
       ensure(printed(point) == derived(point), "what is printed is the derived formula");
       ++compared;
@@ -148,12 +148,12 @@ void compare_at_points(const SquareAt& printed, const SquareAt& derived) {
   ensure(compared == points_to_compare, "a formula is finite at nearly all points");
 }
 
-SquareAt derived_square(const Model& model) {
-  return [&model](const Point& point) { return DerivedAt(point).square(model); };
+SquareAt derived_square(const SymbolicModel& model) {
+  return [&model](const ResiduePoint& point) { return DerivedAt(point).square(model); };
 }
 
 SquareAt printed_square(const ShortestForm& form, const std::vector<Line>& groups) {
-  return [&form, &groups](const Point& point) {
+  return [&form, &groups](const ResiduePoint& point) {
     FormAt at(point);
     for (const Line& group : groups) at.define(group);
     for (const ShortestForm::Definition& definition : form.definitions) at.define(definition);
@@ -163,20 +163,20 @@ SquareAt printed_square(const ShortestForm& form, const std::vector<Line>& group
 
 }  // namespace
 
-void prove(const ShortestForm& form, const Model& model, const std::vector<Line>& groups) {
+void prove(const ShortestForm& form, const SymbolicModel& model, const std::vector<Line>& groups) {
   compare_at_points(printed_square(form, groups), derived_square(model));
 }
 
-void prove(const GiNaC::ex& velocity, const Model& model) {
+void prove(const GiNaC::ex& velocity, const SymbolicModel& model) {
   const Form form = form_of(velocity).form;
-  compare_at_points([&form](const Point& point) { return FormAt(point).square(form); },
+  compare_at_points([&form](const ResiduePoint& point) { return FormAt(point).square(form); },
                     derived_square(model));
 }
 
 void prove_square(const GiNaC::ex& square, const std::vector<Line>& definitions,
-                  const Model& model) {
+                  const SymbolicModel& model) {
   compare_at_points(
-      [&](const Point& point) {
+      [&](const ResiduePoint& point) {
         return evaluate_rational(square, DefinedAlgebra{point, definitions});
       },
       derived_square(model));

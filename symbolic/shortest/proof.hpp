@@ -17,18 +17,19 @@ namespace vcrit::symbolic {
 
 /// Throws Bug unless both have the same square at points modulo 2^61 - 1. `groups`: what the form
 /// is written in, in the scene's symbols.
-void prove(const ShortestForm& form, const Model& model, const std::vector<Line>& groups = {});
+void prove(const ShortestForm& form, const SymbolicModel& model,
+           const std::vector<Line>& groups = {});
 
 /// Likewise of a line v* = ... without names.
-void prove(const GiNaC::ex& velocity, const Model& model);
+void prove(const GiNaC::ex& velocity, const SymbolicModel& model);
 
 /// Likewise of v*^2, a rational function of the definitions, which may stand in any order.
 void prove_square(const GiNaC::ex& square, const std::vector<Line>& definitions,
-                  const Model& model);
+                  const SymbolicModel& model);
 
 /// Throws Bug unless the square of the form, which need not be of v*, is that at points.
 void prove_at_points(const ShortestForm& form,
-                     const std::function<GaussianResidue(const Point&)>& square);
+                     const std::function<GaussianResidue(const ResiduePoint&)>& square);
 
 /// The form that was found, proved.
 FoundForm proved(FoundForm found, const Derivation& derivation,

@@ -134,7 +134,7 @@ std::uint32_t Steps::number(std::int64_t value) {
 std::uint32_t Steps::of(const SmallFraction& factor, ExNode node) {
   const SmallFraction size = absolute(factor);
   if (size.is_one()) return of(node);
-  if (all_[node].kind == Kind::product) return product(size, all_[node].items);
+  if (all_[node].kind == ExpressionKind::product) return product(size, all_[node].items);
   if (node == 0) return size.under == 1 ? number(size.over) : product(size, {});
   return product(size, {{node, 1, {}}});
 }
@@ -180,25 +180,26 @@ std::uint32_t Steps::of(ExNode node) {
   FormulaStep step;
   std::uint32_t made = 0;
   switch (data.kind) {
-    case Kind::one:
+    case ExpressionKind::one:
       made = number(1);
       break;
-    case Kind::symbol:
+    case ExpressionKind::symbol:
       step.node = node;
       made = put(std::move(step));
       break;
-    case Kind::product:
+    case ExpressionKind::product:
       made = product({}, data.items);
       break;
-    case Kind::sum:
+    case ExpressionKind::sum:
       step.kind = FormulaStep::Kind::sum;
       for (const Item& item : data.items)
         step.parts.push_back({of(item.factor, item.node), item.factor.negative() ? -1 : 1});
       made = put(std::move(step));
       break;
-    case Kind::root:
-    case Kind::magnitude:
-      step.kind = data.kind == Kind::root ? FormulaStep::Kind::root : FormulaStep::Kind::magnitude;
+    case ExpressionKind::root:
+    case ExpressionKind::magnitude:
+      step.kind = data.kind == ExpressionKind::root ? FormulaStep::Kind::root
+                                                    : FormulaStep::Kind::magnitude;
       step.parts = {{of(data.items[0].factor, data.items[0].node), 1}};
       made = put(std::move(step));
       break;

@@ -132,7 +132,7 @@ class WrittenOut {
   }
 
   bool is_plain_symbol(const Ex& ex) const {
-    return ex.factor.is_one() && all_[ex.node].kind == Kind::symbol &&
+    return ex.factor.is_one() && all_[ex.node].kind == ExpressionKind::symbol &&
            all_.meaning(ex.node).is_zero();
   }
 
@@ -144,7 +144,7 @@ class WrittenOut {
   /// A symbol with a line, but for 0 and what is a symbol anyway.
   Ex named_part(const std::string& name, Ex part) {
     if (part.is_number() || is_plain_symbol(part)) return part;
-    if (part.factor.is_one() && all_[part.node].kind == Kind::symbol)
+    if (part.factor.is_one() && all_[part.node].kind == ExpressionKind::symbol)
       part = all_.meaning(part.node);
     for (const NamedLine& each : lines_)
       if (each.meaning == part) return each.symbol;
@@ -162,7 +162,7 @@ class WrittenOut {
 };
 
 /// K(i omega) at a point.
-GaussianResidue stiffness_at(const ReducedNetwork& network, const Point& point) {
+GaussianResidue stiffness_at(const ReducedNetwork& network, const ResiduePoint& point) {
   NumberAlgebra<GaussianResidue> algebra;
   algebra.point = [&point](const std::string& name) { return GaussianResidue(point(name)); };
   algebra.s = GaussianResidue({}, Residue(1)) * algebra.point("omega");
@@ -170,11 +170,11 @@ GaussianResidue stiffness_at(const ReducedNetwork& network, const Point& point) 
 }
 
 void prove_parts(const StorageAndLoss& found, const ReducedNetwork& network) {
-  prove_at_points({found.steps, found.storage, "", 0}, [&](const Point& point) {
+  prove_at_points({found.steps, found.storage, "", 0}, [&](const ResiduePoint& point) {
     const Residue storage = stiffness_at(network, point).re;
     return GaussianResidue(storage * storage);
   });
-  prove_at_points({found.steps, found.loss, "", 0}, [&](const Point& point) {
+  prove_at_points({found.steps, found.loss, "", 0}, [&](const ResiduePoint& point) {
     const Residue loss = stiffness_at(network, point).im;
     return GaussianResidue(loss * loss);
   });

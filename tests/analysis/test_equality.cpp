@@ -126,7 +126,8 @@ BOOST_AUTO_TEST_CASE(random_networks_and_their_graphs) {
     other.normal = Flattened(scene.normal).network();
     if (scene.drive) other.drive = Flattened(*scene.drive).network();
     BOOST_TEST(compare(scene, other).equal, "scene " << i);
-    BOOST_TEST(fingerprint(Model(scene)) == fingerprint(Model(other)), "scene " << i);
+    BOOST_TEST(fingerprint(SymbolicModel(scene)) == fingerprint(SymbolicModel(other)),
+               "scene " << i);
   }
 }
 
@@ -169,7 +170,7 @@ BOOST_AUTO_TEST_CASE(large_networks_are_compared_by_residues) {
 }
 
 BOOST_AUTO_TEST_CASE(fingerprints_tell_functions_apart) {
-  const auto of = [](const Scene& scene) { return fingerprint(Model(scene)); };
+  const auto of = [](const Scene& scene) { return fingerprint(SymbolicModel(scene)); };
   BOOST_TEST(of(with_normal("k0 | (k1 - c1)")) == of(with_normal("(k1 - c1) | k0")));
   BOOST_TEST(of(with_normal("k0 | (k1 - c1)")) != of(with_normal("k1 | (k0 - c1)")));
   BOOST_TEST(of(with_normal("k0")) != of(with_normal("k0", "", "k0")));

@@ -16,7 +16,7 @@ using namespace vcrit::symbolic;
 
 namespace {
 
-RationalForm form_of(const Scene& scene) { return rational_form(Model(scene), 1e5); }
+RationalForm form_of(const Scene& scene) { return rational_form(SymbolicModel(scene), 1e5); }
 
 /// v*^2 of the lines, from the last to the first.
 GiNaC::numeric square(const std::vector<Line>& lines, const Scene& scene) {
@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(coefficients_are_factored_in_the_shortest_variables) {
                       "n_2 = c1^2*(14*k0 + 14*k1 + 17*Z)^2"}));
   // As documents have it: with the ratio by its name.
   found.clear();
-  const RationalForm named = rational_form(Model(zener), 100, in_ratio(zener));
+  const RationalForm named = rational_form(SymbolicModel(zener), 100, in_ratio(zener));
   for (const Line& line : lines_of(named, swinging(zener)))
     found.push_back(to_text(line.left) + " = " + to_text(line.right));
   BOOST_TEST((found == Texts{"v*^2 = mu0^2*omega^2*du_z^2*N/(Z^2*(k1^2 + c1^2*omega^2))",
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(an_equation_without_roots_is_not_shown) {
 // K_n + g Z in place of 2 (1 - nu) K_n + (2 - nu) Z.
 BOOST_AUTO_TEST_CASE(poissons_ratio_is_in_the_ratio_of_the_stiffnesses) {
   const Scene scene = test::scene_of("normal = \"k0\"\npoisson = \"nu\"", "kd", "m");
-  const RationalForm form = rational_form(Model(scene), 100, in_ratio(scene));
+  const RationalForm form = rational_form(SymbolicModel(scene), 100, in_ratio(scene));
   BOOST_TEST(to_text(lines_of(form, swinging(scene)).front().right) ==
              "mu0^2*omega^2*du_z^2*(k0 + g*Z)^2/Z^2");
   BOOST_TEST(!ratio_line(test::scene_of("normal = \"k0\"\npoisson = 0.3")));
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(values_are_those_of_the_nodes) {
   for (int i = 0; i < 120; ++i) {
     Scene scene = random.scene(i % 6 + 1);
     test::round_ratio(scene);
-    const Model model(scene);
+    const SymbolicModel model(scene);
     if (terms_before_squaring(model) > 2000) continue;
     ++compared;
     const GiNaC::numeric nodal = test::number(test::critical_velocity_by_nodes(scene));
@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(with_values_put_in) {
     std::map<std::string, GiNaC::numeric> values;
     for (const auto& [symbol, value] : test::exact_values(scene))
       if (symbol.name != "omega") values[to_text(symbol)] = value;
-    const std::vector<Line> lines = lines_of(rational_form(Model(scene), values));
+    const std::vector<Line> lines = lines_of(rational_form(SymbolicModel(scene), values));
     const GiNaC::numeric nodal = test::number(test::critical_velocity_by_nodes(scene));
     BOOST_TEST(test::agreement(square(lines, scene), nodal * nodal) > 50, "scene " << i);
   }
@@ -169,10 +169,11 @@ BOOST_AUTO_TEST_CASE(with_values_put_in) {
 BOOST_AUTO_TEST_CASE(too_many_terms_are_refused_before_they_are_made) {
   // K of 60 Maxwell branches has 2^60 + 60 2^59 = 3.6e19 terms: nobody would live to see them.
   const Scene scene = test::scene_of("normal = \"prony(k0, k, tau, 60)\"\ntangential = \"kt\"");
-  BOOST_CHECK_EXCEPTION(rational_form(Model(scene), 5000), ModelError, [](const ModelError& e) {
-    return std::string(e.what()).find("3.5740") != std::string::npos ||
-           std::string(e.what()).find("e+19") != std::string::npos;
-  });
+  BOOST_CHECK_EXCEPTION(rational_form(SymbolicModel(scene), 5000), ModelError,
+                        [](const ModelError& e) {
+                          return std::string(e.what()).find("3.5740") != std::string::npos ||
+                                 std::string(e.what()).find("e+19") != std::string::npos;
+                        });
 }
 
 BOOST_AUTO_TEST_CASE(one_function_has_one_text) {

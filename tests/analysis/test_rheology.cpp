@@ -100,7 +100,7 @@ Values doubles_for(const Network& network, std::mt19937& random) {
 }
 
 /// The spectrum with values put in, by increasing time.
-Relaxation in_numbers(const Spectrum& spectrum, const Values& values) {
+Relaxation in_numbers(const RelaxationSpectrum& spectrum, const Values& values) {
   Exact exact;
   for (const auto& [symbol, value] : values) exact[symbol] = exact_binary(value);
   const auto number = [&](const ex& formula) {
@@ -206,7 +206,7 @@ BOOST_AUTO_TEST_CASE(formulas_read_well) {
   const Response zener = response(network_of("k0 | (k1 - c1)"));
   BOOST_TEST(to_text(zener.stiffness) == "(k0*k1 + c1*k0*s + c1*k1*s)/(k1 + c1*s)");
   BOOST_TEST(to_text(zener.loss) == "omega*c1*k1^2/(k1^2 + c1^2*omega^2)");
-  const Spectrum burgers = *spectrum(network_of("k1 - c1 - (k2 | c2)"));
+  const RelaxationSpectrum burgers = *spectrum(network_of("k1 - c1 - (k2 | c2)"));
   BOOST_TEST(line_text(burgers.lines.at(0).time) ==
              "tau_1 = (c1*k1 + c1*k2 + c2*k1 + sqrt(-4*c1*c2*k1*k2 + (c1*k1 + c1*k2 + c2*k1)^2))"
              "/(2*k1*k2)");
@@ -218,7 +218,7 @@ BOOST_AUTO_TEST_CASE(formulas_read_well) {
 }
 
 BOOST_AUTO_TEST_CASE(branches_stay_as_they_are_given) {
-  const Spectrum found = *spectrum(network_of("prony(k0, k, tau, 3)"));
+  const RelaxationSpectrum found = *spectrum(network_of("prony(k0, k, tau, 3)"));
   BOOST_REQUIRE(found.lines.size() == 3U);
   BOOST_TEST(line_text(found.lines[2].time) == "tau[3] = tau[3]");
   BOOST_TEST(line_text(found.lines[2].strength) == "k[3] = k[3]");

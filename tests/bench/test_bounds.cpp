@@ -22,14 +22,14 @@ namespace {
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-System system_named(const std::string& name) {
-  for (System& system : all_systems())
+TrialSystem system_named(const std::string& name) {
+  for (TrialSystem& system : all_systems())
     if (system.name == name) return system;
   throw std::runtime_error("no system " + name);
 }
 
 /// The system's scene with the numbers of a case.
-Scene scene_with(const System& system, const std::vector<double>& x) {
+Scene scene_with(const TrialSystem& system, const std::vector<double>& x) {
   Scene scene = parse_scene(system.problem->source->text, system.name);
   Values values;
   for (std::size_t i = 0; i < x.size(); ++i)
@@ -48,18 +48,18 @@ Exact number(double high, double low, int exponent) {
   return {Exact::Kind::number, high, low, exponent};
 }
 
-std::optional<Violation> violation(const Answers& answers, const Exact& exact) {
+std::optional<Violation> violation(const CertifiedAnswers& answers, const Exact& exact) {
   return judge(answers, exact).violation;
 }
 
-Tally tried(const System& system, const std::string& header, std::uint64_t cases) {
+TrialTally tried(const TrialSystem& system, const std::string& header, std::uint64_t cases) {
   const validation::PrivateFolder folder;
-  Evaluator evaluator(system, header, folder.path());
+  CompiledHeader evaluator(system, header, folder.path());
   evaluator.compile();
   return sum_of(try_cases(system, evaluator, {.cases = cases, .seed = 3, .threads = 2}));
 }
 
-std::uint64_t count(const Tally& tally, Violation violation) {
+std::uint64_t count(const TrialTally& tally, Violation violation) {
   return tally.violations[static_cast<std::size_t>(violation)];
 }
 
@@ -67,8 +67,8 @@ std::uint64_t count(const Tally& tally, Violation violation) {
 
 // The reference has 112 bits, nodal analysis 200 digits left.
 BOOST_AUTO_TEST_CASE(exact_values_are_those_of_nodal_analysis) {
-  for (const System& system : all_systems()) {
-    Reference reference(system);
+  for (const TrialSystem& system : all_systems()) {
+    ExactReference reference(system);
     Cases cases(system, reference, 5);
     std::vector<double> x(system.slots.size());
     for (int i = 0; i < 30; ++i) {
@@ -87,8 +87,8 @@ BOOST_AUTO_TEST_CASE(exact_values_are_those_of_nodal_analysis) {
 // No dampers, kn = kt = 1, kd = 4, omega = 2: K_d - m omega^2 vanishes at m = 1, K_t + K_d - m
 // omega^2 at m = 1.25.
 BOOST_AUTO_TEST_CASE(zeros_and_poles_are_told_from_their_neighbours) {
-  const System system = system_named("kelvin");
-  Reference reference(system);
+  const TrialSystem system = system_named("kelvin");
+  ExactReference reference(system);
   const auto kind = [&](double mass, double tangential = 1) {
     return reference.velocity(std::vector<double>{1, 2, 1, 1, 0, tangential, 0, 4, 0, mass}).kind;
   };
@@ -102,8 +102,8 @@ BOOST_AUTO_TEST_CASE(zeros_and_poles_are_told_from_their_neighbours) {
 
 BOOST_AUTO_TEST_CASE(zeros_are_seen_behind_divisions) {
   // A balanced bridge of springs 3 is 3, by way of thirds; the contact and the drive are such.
-  const System bridge = system_named("bridge");
-  Reference reference(bridge);
+  const TrialSystem bridge = system_named("bridge");
+  ExactReference reference(bridge);
   std::vector<double> x(bridge.slots.size(), 0.0);
   x[coefficient_slot] = x[omega_slot] = x[amplitude_slot] = 1;
   for (std::size_t i = 0; i < 5; ++i)
@@ -169,8 +169,8 @@ BOOST_AUTO_TEST_CASE(the_ends_of_the_doubles_count_exactly) {
 
 BOOST_AUTO_TEST_CASE(no_bound_is_violated) {
   for (const char* name : {"isotropic", "prony10", "bridge"}) {
-    const System system = system_named(name);
-    const Tally tally = tried(system, header_for(system), 2000);
+    const TrialSystem system = system_named(name);
+    const TrialTally tally = tried(system, header_for(system), 2000);
     BOOST_TEST_CONTEXT(name) {
       BOOST_TEST(tally.cases + tally.undefined == 2000U);
       BOOST_TEST(count(tally, Violation::bound) == 0U);
@@ -185,7 +185,7 @@ BOOST_AUTO_TEST_CASE(no_bound_is_violated) {
 }
 
 BOOST_AUTO_TEST_CASE(a_bound_that_is_too_small_is_seen_and_shown) {
-  const System system = system_named("kelvin");
+  const TrialSystem system = system_named("kelvin");
   const std::string liar = symbolic::emit_header(symbolic::derive(system.problem), "honest") + R"(
 namespace evaluator {
 using honest::Parameters;
@@ -201,7 +201,7 @@ inline honest::Certified critical_velocity_certified(const Parameters& p) noexce
 }  // namespace fast
 }  // namespace evaluator
 )";
-  const Tally tally = tried(system, liar, 2000);
+  const TrialTally tally = tried(system, liar, 2000);
   BOOST_TEST(count(tally, Violation::bound) > 100U);
   BOOST_TEST(count(tally, Violation::fast_bound) > 0U);
   const std::string shown = first_violations({{"kelvin", {{Draw::moderate, tally}}}});
@@ -211,14 +211,14 @@ inline honest::Certified critical_velocity_certified(const Parameters& p) noexce
 }
 
 BOOST_AUTO_TEST_CASE(threads_change_nothing) {
-  const System system = system_named("rigid");
+  const TrialSystem system = system_named("rigid");
   const validation::PrivateFolder folder;
-  Evaluator evaluator(system, header_for(system), folder.path());
+  CompiledHeader evaluator(system, header_for(system), folder.path());
   evaluator.compile();
   const auto text = [&](unsigned threads) {
     const TrialOptions options{.cases = 25'000, .seed = 11, .threads = threads};
-    const std::vector<Result> results{{"rigid", try_cases(system, evaluator, options)}};
-    return tables(results, bench::Style::text) + first_violations(results);
+    const std::vector<SystemResult> results{{"rigid", try_cases(system, evaluator, options)}};
+    return tables(results, bench::TableStyle::text) + first_violations(results);
   };
   BOOST_TEST(text(1) == text(3));
 }

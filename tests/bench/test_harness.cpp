@@ -43,7 +43,7 @@ void use_memory() {
 BOOST_AUTO_TEST_CASE(the_first_run_is_not_counted) {
   const Report report = in_child(no_limits, [runs = 0]() mutable {
     const auto run = [&runs] { work_for(runs++ == 0 ? 5e-3 : 0); };
-    return Numbers{settled_time(run, 0.01), static_cast<double>(runs)};
+    return ChildNumbers{settled_time(run, 0.01), static_cast<double>(runs)};
   });
   BOOST_REQUIRE((report.ending == Ending::answered));
   BOOST_TEST(report.numbers[0] < 0.5e-3);
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(repeated_runs_fetch_no_memory) {
     use_memory();
     const double before = page_faults();
     settled_time(use_memory, 1e-3, 0.01);
-    return Numbers{page_faults() - before};
+    return ChildNumbers{page_faults() - before};
   });
   BOOST_REQUIRE((report.ending == Ending::answered));
   BOOST_TEST(report.numbers[0] < 512);
@@ -77,20 +77,20 @@ BOOST_AUTO_TEST_CASE(time_counts_until_the_limit_is_lifted) {
   const Limits limits{.time = std::chrono::milliseconds(50)};
   const auto forever = [] {
     work_for(1e9);
-    return Numbers{};
+    return ChildNumbers{};
   };
   BOOST_TEST((in_child(limits, forever).ending == Ending::out_of_time));
   const auto lifted = [] {
     lift_time_limit();
     work_for(0.2);
-    return Numbers{1, 2, 3};
+    return ChildNumbers{1, 2, 3};
   };
   BOOST_TEST(in_child(limits, lifted).numbers[2] == 3);
 }
 
 BOOST_AUTO_TEST_CASE(programs_that_are_started_are_limited_too) {
   const auto starts = [] {
-    return Numbers{static_cast<double>(std::system("while :; do :; done"))};
+    return ChildNumbers{static_cast<double>(std::system("while :; do :; done"))};
   };
   const Limits limits{.time = std::chrono::seconds(1), .of_programs = true};
   const Report report = in_child(limits, starts);

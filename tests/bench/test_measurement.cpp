@@ -26,22 +26,22 @@ Case a_case() {
 }
 
 Peer::Setting answers(double ratio, std::size_t events, std::optional<double> tolerance) {
-  return {"s", tolerance, [=](const Case&) { return Answer{ratio, events}; }};
+  return {"s", tolerance, [=](const Case&) { return PeerAnswer{ratio, events}; }};
 }
 
 Peer::Setting says(const std::string& words) {
-  return {"s", 1e-8, [=](const Case&) -> Answer { throw std::runtime_error(words); }};
+  return {"s", 1e-8, [=](const Case&) -> PeerAnswer { throw std::runtime_error(words); }};
 }
 
 Peer::Setting never_ends() {
   return {"s", 1e-8, [](const Case&) {
             volatile double sum = 0;
             for (;;) sum = sum + 1;
-            return Answer{sum, 0};
+            return PeerAnswer{sum, 0};
           }};
 }
 
-std::vector<Point> measured(const std::vector<Case>& cases, const std::vector<Peer>& peers) {
+std::vector<PeerSolve> measured(const std::vector<Case>& cases, const std::vector<Peer>& peers) {
   return measure(cases, peers, {0.05, 0}, [](const std::string&) {});
 }
 
@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(after_one_without_end_the_more_accurate_are_not_tried) {
 
 BOOST_AUTO_TEST_CASE(a_method_that_crashes_takes_nothing_with_it) {
   Peer peer{.name = "GSL x"};
-  peer.settings = {{"s", 1e-8, [](const Case&) -> Answer { _exit(7); }}, answers(0.6, 2, 1e-8)};
+  peer.settings = {{"s", 1e-8, [](const Case&) -> PeerAnswer { _exit(7); }}, answers(0.6, 2, 1e-8)};
   const auto points = measured({a_case()}, {peer});
   BOOST_TEST(points.at(0).words == "crashed");
   BOOST_TEST(points.at(1).answered);
@@ -113,7 +113,7 @@ namespace {
 struct Fixture {
   std::vector<Case> cases{a_case(), a_case()};
   std::vector<Peer> peers{{.name = exact_name}, {.name = "GSL x"}, {.name = "Moreau"}};
-  std::vector<Point> points;
+  std::vector<PeerSolve> points;
 
   Fixture() {
     for (Peer& peer : peers) peer.settings = {answers(0.6, 2, {}), answers(0.6, 2, {})};
@@ -124,7 +124,7 @@ struct Fixture {
     points.push_back(
         {&row, &peers[peer], &peers[peer].settings[setting], verdict, true, seconds, 0.6, error});
   }
-  Comparison compared(double error) const {
+  PeerComparison compared(double error) const {
     return compare(points, error, [](const Case&) { return true; });
   }
 };

@@ -13,12 +13,12 @@ using namespace vcrit::scaling;
 
 namespace {
 
-bool is_script(const Peer& peer) {
+bool is_script(const ScalingPeer& peer) {
   return peer.name.starts_with("SymPy") || peer.name.starts_with("Maxima");
 }
 
 /// Composition by hand and FLINT by hand are not for graphs.
-bool is_for_trees(const Peer& peer) {
+bool is_for_trees(const ScalingPeer& peer) {
   return peer.name == "GiNaC, composed" || peer.name == "FLINT, by hand";
 }
 
@@ -26,8 +26,8 @@ bool is_for_trees(const Peer& peer) {
 
 BOOST_AUTO_TEST_CASE(every_way_answers) {
   for (const auto& peers : {nested_peers(), expanded_peers()})
-    for (const Peer& peer : peers)
-      for (const Case& each : {ladder(6), prony(3), bridge()}) {
+    for (const ScalingPeer& peer : peers)
+      for (const ScalingCase& each : {ladder(6), prony(3), bridge()}) {
         if (is_script(peer)) continue;
         const bool asked = !is_for_trees(peer) || each.name != "bridge";
         BOOST_TEST(peer.seconds(each).has_value() == asked, peer.name << ", " << each.name);

@@ -32,10 +32,10 @@ Subject subject_named(const std::string& name) {
 // mass, whose damping is of the size of its stiffness.
 BOOST_AUTO_TEST_CASE(loops_by_hand_are_right) {
   const Subject subject = subject_named("Zener");
-  const std::vector<Evaluator> loops = loops_by_hand(subject, compiler());
-  for (const Mode mode : both_modes) {
+  const std::vector<TimedMethod> loops = loops_by_hand(subject, compiler());
+  for (const CallMode mode : both_modes) {
     const std::vector<Result> results = measure(subject, mode, loops, tiny);
-    BOOST_TEST(results.size() == (mode == Mode::sweep ? 6u : 4u));
+    BOOST_TEST(results.size() == (mode == CallMode::sweep ? 6u : 4u));
     for (const Result& each : results) BOOST_TEST(each.error < 4 * 500, each.method);
   }
 }
@@ -43,8 +43,8 @@ BOOST_AUTO_TEST_CASE(loops_by_hand_are_right) {
 // The fractions of a ladder are scaled lest they overflow.
 BOOST_AUTO_TEST_CASE(loops_by_hand_are_right_for_large_networks) {
   const Subject subject = subject_named("ladder-10");
-  const std::vector<Evaluator> loops = loops_by_hand(subject, compiler());
-  for (const Mode mode : both_modes)
+  const std::vector<TimedMethod> loops = loops_by_hand(subject, compiler());
+  for (const CallMode mode : both_modes)
     for (const Result& each : measure(subject, mode, loops, tiny))
       BOOST_TEST(!each.wrong(), each.method);
 }
@@ -53,33 +53,33 @@ BOOST_AUTO_TEST_CASE(the_error_counts_units_of_the_last_place) {
   BOOST_TEST(worst_error({1 + 0x1p-50, 1}, {1, 1}) == 4);
   BOOST_TEST(worst_error({1 - 0x1p-53}, {1}) == 0.5);
   BOOST_TEST(std::isinf(worst_error({1, NAN}, {1, 1})));
-  BOOST_TEST(!(Result{"", "", Mode::sweep, Family::peer, 1, 4e5}.wrong()));
-  BOOST_TEST((Result{"", "", Mode::sweep, Family::peer, 1, 5e5}.wrong()));
+  BOOST_TEST(!(Result{"", "", CallMode::sweep, MethodFamily::peer, 1, 4e5}.wrong()));
+  BOOST_TEST((Result{"", "", CallMode::sweep, MethodFamily::peer, 1, 5e5}.wrong()));
 }
 
 BOOST_AUTO_TEST_CASE(a_wrong_value_is_seen) {
   const Subject subject = subject_named("Kelvin");
-  Evaluator wrong;
+  TimedMethod wrong;
   wrong.method = "SymPy cse";
   wrong.run = [](const Samples& samples, double* out, double*) {
     for (std::size_t i = 0; i < samples.size(); ++i) out[i] = 1;
   };
-  Comparison all;
+  SpeedComparison all;
   all.subjects = {subject.name};
-  all.results = measure(subject, Mode::sweep, {wrong}, tiny);
+  all.results = measure(subject, CallMode::sweep, {wrong}, tiny);
   BOOST_TEST(all.results.at(0).wrong());
-  BOOST_TEST(table(all, Mode::sweep, Style::markdown).find("| SymPy cse | wrong |") !=
+  BOOST_TEST(table(all, CallMode::sweep, TableStyle::markdown).find("| SymPy cse | wrong |") !=
              std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(every_method_has_its_row) {
   const Subject subject = subject_named("Kelvin");
-  Comparison all;
+  SpeedComparison all;
   all.subjects = {subject.name};
-  const std::vector<Evaluator> methods = evaluators(subject, compiler(), all.missing);
-  for (const Mode mode : both_modes)
+  const std::vector<TimedMethod> methods = evaluators(subject, compiler(), all.missing);
+  for (const CallMode mode : both_modes)
     for (const Result& each : measure(subject, mode, methods, tiny)) all.results.push_back(each);
-  const std::string text = table(all, Mode::sweep, Style::markdown);
+  const std::string text = table(all, CallMode::sweep, TableStyle::markdown);
   for (const std::string& method : all_methods())
     BOOST_TEST(text.find("| " + method + " |") != std::string::npos, method);
   for (const Result& each : all.results) {

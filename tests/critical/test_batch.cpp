@@ -182,10 +182,10 @@ BOOST_AUTO_TEST_CASE(all_levels_of_the_processor_give_the_same_bits) {
   const auto answers = [&](const kernels::Kernels& k) {
     std::vector<std::vector<double>> out(16, std::vector<double>(lanes, 0.0));
     const auto pair = [&](std::size_t i) {
-      return kernels::Stiffness{in[i].data(), in[i + 1].data()};
+      return kernels::StiffnessLanes{in[i].data(), in[i + 1].data()};
     };
     const auto result = [&](std::size_t i) {
-      return kernels::Result{out[i].data(), out[i + 1].data()};
+      return kernels::LanesResult{out[i].data(), out[i + 1].data()};
     };
     k.multiply(out[0].data(), in[0].data(), in[1].data());
     k.divide(out[1].data(), in[0].data(), in[1].data());

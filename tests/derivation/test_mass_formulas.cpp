@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(limits_of_a_mass_of_the_drive) {
     return test::scene_of(test::kelvin_contact, drive, "m");
   };
   const Scene chain = scene("k1 - (mass(m1) | k2 | c2)");
-  const auto limit = [model = Model(chain)](int rate) {
+  const auto limit = [model = SymbolicModel(chain)](int rate) {
     Change change;
     change.rates[{"m1"}] = rate;
     return to_text(model.formula(change).value().velocity);
@@ -131,7 +131,7 @@ BOOST_AUTO_TEST_CASE(limits_of_a_mass_of_the_drive) {
   BOOST_TEST(limit(-1) == formula(scene("k1 - (k2 | c2)")));
   BOOST_TEST(limit(1) == formula(scene("k1")));
   // Beside the body a mass that grows holds the body: the drive becomes rigid.
-  const Model beside(scene("mass(m1) | k1"));
+  const SymbolicModel beside(scene("mass(m1) | k1"));
   Change change;
   change.rates[{"m1"}] = 1;
   BOOST_TEST(to_text(beside.formula(change).value().velocity) ==

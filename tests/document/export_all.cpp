@@ -82,7 +82,7 @@ void print(const Problem& problem, int i) {
   const symbolic::Findings found = findings(problem, i);
   nlohmann::ordered_json line{{"velocity", v.value}, {"bound", v.relative_error_bound}};
   for (const auto& [symbol, value] : values) line["values"][to_text(symbol)] = value;
-  for (const symbolic::System* system : symbolic::systems()) {
+  for (const symbolic::AlgebraSystem* system : symbolic::systems()) {
     const std::string name(system->name);
     line["texts"][name] = symbolic::system_document(name, problem, found);
   }

@@ -28,7 +28,7 @@ void print_derivation(const vcrit::Scene& scene) {
   const symbolic::Findings result = symbolic::findings_of(scene, {});
   for (const std::string& system : symbolic::system_names())
     std::cout << symbolic::print_findings(scene, result, Format::system, system);
-  if (!scene.receptance && symbolic::terms_before_squaring(symbolic::Model(scene)) < 300)
+  if (!scene.receptance && symbolic::terms_before_squaring(symbolic::SymbolicModel(scene)) < 300)
     std::cout << symbolic::print(scene,
                                  {Format::json, false, false, symbolic::ResultForm::rational});
   for (const symbolic::Line& line : symbolic::derive(scene).lines)

@@ -46,7 +46,7 @@ Graph grid() {
 }
 
 // In any direction of the complex plane, in units of |K| and of one rounding.
-double most(const Program& program, const Complex& k, const Run& run) {
+double most(const Program& program, const ComplexNode& k, const Run& run) {
   const std::vector<double> re = run.derivatives(k.re), im = run.derivatives(k.im);
   double largest = 0;
   for (double angle = 0; angle < std::numbers::pi; angle += 0.1) {
@@ -67,8 +67,8 @@ BOOST_AUTO_TEST_CASE(no_roundings_exceed_the_bound_of_a_graph) {
   const MeshedStiffness mesh = by_star_mesh(program, Network{grid()}, [&](const Element& element) {
     const NodeId coefficient = program.parameter(element.coefficient);
     const bool is_spring = element.kind == ElementKind::spring;
-    return MeshElement{is_spring ? Complex{coefficient, zero} : Complex{zero, coefficient},
-                       Complex{one, zero}};
+    return MeshElement{is_spring ? ComplexNode{coefficient, zero} : ComplexNode{zero, coefficient},
+                       ComplexNode{one, zero}};
   });
   std::mt19937_64 engine(11);
   double tightest = 0;

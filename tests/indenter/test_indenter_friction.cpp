@@ -277,7 +277,7 @@ BOOST_AUTO_TEST_CASE(single_cells) {
   BOOST_REQUIRE(some.size() == 200u);
   BOOST_TEST(some.front().x == 0);
   double force = 0, friction_force = 0;
-  for (const Cell& cell : some) {
+  for (const CellMotion& cell : some) {
     BOOST_TEST(cell.state.cycle.size() == 16u);
     const double width = (cell.x == 0 ? 1 : 2) * h.edge() / 200;  // and as much at -x
     force += width * cell.mean_normal_force;

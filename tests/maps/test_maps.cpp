@@ -46,7 +46,7 @@ maps::Streamed streamed(const Sweep& sweep, const fs::path& file, bool resume = 
   maps::StreamOptions options;
   options.resume = resume;
   if (stop_after > 0)
-    options.told = [left = stop_after](const maps::Progress&) mutable {
+    options.told = [left = stop_after](const maps::StreamProgress&) mutable {
       if (--left == 0) throw std::runtime_error("stopped");
     };
   return maps::stream(sweeping, file, options, ranks);

@@ -80,7 +80,7 @@ double identity_error(const Modes& modes, double mass, const PoleSum& holder) {
 // Velocity at t from v(0) = 1, h = 0.
 double velocity_after(const Modes& modes, double t) {
   double sum = 0;
-  Factors(modes.spectrum, t).apply(modes.to_modes.column(0), [&](Index i, const auto& passed) {
+  ModalFactors(modes.spectrum, t).apply(modes.to_modes.column(0), [&](Index i, const auto& passed) {
     sum += modes.from_modes(0, i) * passed[0];
   });
   return sum;

@@ -49,7 +49,7 @@ void check(const Case& c, double roundings) {
     for (const double t : {0.0, 0.1, 1.0, 7.0}) {
       const Real exact = Real(whole(c) * static_cast<long double>(t)).exp();
       Vector after(n);
-      Factors(modes.spectrum, t)
+      ModalFactors(modes.spectrum, t)
           .apply(modes.to_modes.column(start), [&](Index mode, const Integrals<double>& passed) {
             add(modes.from_modes.column(mode), passed[0], after);
           });

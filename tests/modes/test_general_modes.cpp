@@ -32,7 +32,7 @@ Dense<long double> dense(const Wide& a) {
 double worst_difference(const Wide& a, const GeneralModes& found, double t) {
   const Modes& modes = found.modes;
   const Wide exact = (a * t).exp();
-  const Factors factors(modes.spectrum, t);
+  const ModalFactors factors(modes.spectrum, t);
   double worst = 0;
   const auto n = static_cast<std::size_t>(a.rows());
   for (std::size_t j = 0; j < n; ++j) {

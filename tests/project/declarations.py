@@ -18,7 +18,7 @@ NOT_A_NAME = {"noexcept", "const", "requires", "decltype", "alignas", "__attribu
 class Declaration:
     namespace: tuple  # ("vcrit", "symbolic"); "" is an anonymous one
     name: str
-    kind: str  # "function", "type", "variable" or "using" (of a name from elsewhere)
+    kind: str  # "function", "type", "nested" (a type within one), "variable" or "using" (of a name from elsewhere)
     line: int
 
 
@@ -85,6 +85,13 @@ def others(words):
     return [words[i + 1] for i, word in enumerate(words[:-1]) if word == "," and IDENTIFIER.match(words[i + 1])]
 
 
+def nested_types(words):
+    """Types declared within the body of one, and their lines; those of functions in it, too."""
+    for (word, _), (name, line), (behind, _) in zip(words, words[1:], words[2:]):
+        if (word in TYPES or word == "using") and IDENTIFIER.match(name) and behind in ("{", ":", "=", "final"):
+            yield name, line
+
+
 def declarations(text):
     words, result, namespace, at = list(tokens(text)), [], [], 0
     blocks = []  # the namespaces that each open brace added
@@ -126,7 +133,9 @@ def declarations(text):
             names = [found[1], *(others(head) if found[0] == "variable" else [])]
             result += [Declaration(tuple(namespace), name, found[0], words[start][1]) for name in names]
         if at < len(words) and words[at][0] == "{":
-            at = past(words, at)
+            body, at = at, past(words, at)
+            if found and found[0] == "type":
+                result += [Declaration(tuple(namespace), name, "nested", line) for name, line in nested_types(words[body:at])]
             if (not found or found[0] != "function") or "=" in head:
                 while at < len(words) and words[at][0] not in (";", "}"):
                     at = past(words, at) if words[at][0] in CLOSING else at + 1

@@ -5,6 +5,9 @@
    once stood in the way of vcrit::to_text(double), and whoever saw both got other digits without a word. So a nested
    namespace, anonymous ones too, does not declare again what a header declares in a namespace around it, unless the
    same file brings the outer one in beside it (`using vcrit::to_text;`).
+3. A type has one name: what a header declares in a namespace is called so in no other namespace, and no type within
+   another one hides it. Types within others may share a name (`Effect::Kind`, `Form::Kind`): they are written with
+   their owner.
 
 Run with the project's folder. With --list [FOLDER...], prints what breaks a rule instead.
 """
@@ -19,6 +22,10 @@ from declarations import declarations
 
 ROOT = pathlib.Path(sys.argv.pop(1))
 LIBRARIES = ("src", "symbolic", "validation", "app", "python", "bench")
+NOT_ITS_OWN = ("using", "nested")  # no names of the namespace itself
+# What never meets the types of vcrit: the file that generated C++ is made of, and bench's formulas by hand, which are
+# compiled by themselves and named after what they stand for.
+APART = {"alone", "by_hand"}
 
 
 def library(name):
@@ -40,7 +47,7 @@ def clashes(sources):
     found = {}
     for name, declared in sources.items():
         for one in declared:
-            if name.endswith(".cpp") and "" in one.namespace and one.kind != "using":
+            if name.endswith(".cpp") and "" in one.namespace and one.kind not in NOT_ITS_OWN:
                 found.setdefault((library(name), one.name), {}).setdefault((named(one.namespace), name), one.line)
     result = []
     for (_, name), places in sorted(found.items()):
@@ -56,14 +63,14 @@ def hidden(sources):
     for file, declared in sources.items():
         if file.endswith(".hpp"):
             for one in declared:
-                if one.kind != "using" and "" not in one.namespace:
+                if one.kind not in NOT_ITS_OWN and "" not in one.namespace:
                     seen.setdefault(one.name, []).append((one.namespace, file, one.line))
     result = []
     for file, declared in sources.items():
         beside = {(named(one.namespace), one.name) for one in declared if one.kind == "using"}
         for one in declared:
             mine = named(one.namespace)
-            if (mine, one.name) in beside or one.kind == "using" or not (file.endswith(".hpp") or "" in one.namespace):
+            if (mine, one.name) in beside or one.kind in NOT_ITS_OWN or not (file.endswith(".hpp") or "" in one.namespace):
                 continue
             for namespace, header, line in seen.get(one.name, []):
                 nested = around(namespace, mine) and ("" in one.namespace or namespace != mine)
@@ -71,6 +78,26 @@ def hidden(sources):
                     result.append(f"{file}:{one.line} declares `{one.name}`, which hides {'::'.join(namespace)}::{one.name} "
                                   f"of {header}:{line}")
     return sorted(set(result))
+
+
+def shared(sources):
+    """Types of headers that two namespaces declare, and those within a type that hide one of a namespace around it."""
+    of_namespaces, result = {}, []
+    for file, declared in sorted(sources.items()):
+        for one in declared if file.endswith(".hpp") else []:
+            if one.kind == "type" and "" not in one.namespace and not APART & set(one.namespace):
+                of_namespaces.setdefault(one.name, {}).setdefault(one.namespace, f"{file}:{one.line}")
+    for name, places in sorted(of_namespaces.items()):
+        if len(places) > 1:
+            declared = " and ".join(f"{'::'.join(namespace)} ({place})" for namespace, place in sorted(places.items()))
+            result.append(f"`{name}` is a type of {declared}")
+    for file, declared in sorted(sources.items()):
+        for one in declared if file.endswith(".hpp") else []:
+            for namespace, place in of_namespaces.get(one.name, {}).items():
+                if one.kind == "nested" and around(namespace, named(one.namespace)):
+                    result.append(f"{file}:{one.line} declares `{one.name}` within a type, which hides "
+                                  f"{'::'.join(namespace)}::{one.name} of {place}")
+    return result
 
 
 def visible(header, file):
@@ -102,6 +129,11 @@ class Names(unittest.TestCase):
     def test_no_name_hides_that_of_an_outer_namespace(self):
         self.assertEqual([], hidden(sources()))
 
+    def test_a_type_has_one_name(self):
+        types = {one.name for file, each in sources().items() for one in each if one.kind == "type" and file.endswith(".hpp")}
+        self.assertGreater(len(types), 600)
+        self.assertEqual([], shared(sources()))
+
 
 class Rules(unittest.TestCase):
     OUTER = "namespace vcrit {\nstd::string to_text(double value);\n}\n"
@@ -129,10 +161,27 @@ class Rules(unittest.TestCase):
         self.assertEqual([], clashes(trial(src_a_cpp=a, symbolic_b_cpp=b)))
         self.assertEqual([], clashes(trial(src_a_cpp=a.replace("vcrit", "vcrit::maps"), src_b_cpp=b)))
 
+    def test_a_type_of_two_rooms_is_found(self):
+        motion = "namespace vcrit::simulation { struct System { int n; }; }"
+        algebra = "namespace vcrit::symbolic { class System; }"
+        self.assertEqual(1, len(shared(trial(src_a_hpp=motion, symbolic_b_hpp=algebra))))
+        self.assertEqual(1, len(shared(trial(src_a_hpp=motion, src_b_hpp="namespace vcrit { using System = int; }"))))
+        self.assertEqual([], shared(trial(src_a_hpp=motion, src_b_hpp="namespace vcrit::simulation { struct System; }")))
+        self.assertEqual([], shared(trial(src_a_hpp=motion, bench_b_hpp=algebra.replace("vcrit::symbolic", "by_hand"))))
+        self.assertEqual([], shared(trial(src_a_hpp=motion, symbolic_b_cpp=algebra)))
+
+    def test_a_type_within_another_that_hides_one_is_found(self):
+        place = "namespace vcrit { struct Place { int line; }; }"
+        within = "namespace vcrit::symbolic { class Dialect { enum class Place { free }; Place at; }; }"
+        self.assertEqual(1, len(shared(trial(src_a_hpp=place, symbolic_b_hpp=within))))
+        self.assertEqual([], shared(trial(src_a_hpp=place.replace("vcrit", "vcrit::maps"), symbolic_b_hpp=within)))
+        kinds = "namespace vcrit { struct A { enum class Kind { a }; }; struct B { enum class Kind { b }; }; }"
+        self.assertEqual([], shared(trial(src_a_hpp=kinds)))
+
 
 if __name__ == "__main__":
     if sys.argv[1:2] == ["--list"]:
-        for line in clashes(sources()) + hidden(sources()):
+        for line in clashes(sources()) + hidden(sources()) + shared(sources()):
             if line.startswith(tuple(sys.argv[2:])):
                 print(line)
     else:

@@ -16,7 +16,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-VectorXd drawn_parameters(const Shape& shape, unsigned seed) {
+VectorXd drawn_parameters(const StructureShape& shape, unsigned seed) {
   std::mt19937_64 engine(seed);
   VectorXd parameters(shape.parameters());
   for (double& each : parameters) each = static_cast<double>(engine() >> 11) * 0x1p-52 - 1;
@@ -31,15 +31,15 @@ Rows some_rows() {
   return rows;
 }
 
-const std::vector<Shape> shapes{{0, Damping::modal},   {1, Damping::modal},  {1, Damping::coupled},
-                                {3, Damping::modal},   {3, Damping::full},
-                                {3, Damping::coupled}, {2, Damping::coupled}};
+const std::vector<StructureShape> shapes{
+    {0, Damping::modal}, {1, Damping::modal},   {1, Damping::coupled}, {3, Damping::modal},
+    {3, Damping::full},  {3, Damping::coupled}, {2, Damping::coupled}};
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(derivatives_are_those_of_finite_differences) {
   const Rows rows = some_rows();
-  for (const Shape& shape : shapes) {
+  for (const StructureShape& shape : shapes) {
     const VectorXd at = drawn_parameters(shape, 5);
     VectorXd residual, up, down;
     MatrixXd slope;
@@ -61,7 +61,7 @@ BOOST_AUTO_TEST_CASE(derivatives_are_those_of_finite_differences) {
 }
 
 BOOST_AUTO_TEST_CASE(parameters_and_structure_are_the_same) {
-  for (const Shape& shape : shapes) {
+  for (const StructureShape& shape : shapes) {
     const VectorXd at = drawn_parameters(shape, 8);
     const VectorXd back = parameters_of(shape, structure_of(shape, at));
     BOOST_TEST((back - at).cwiseAbs().maxCoeff() < 1e-15);  // exp and log of numbers below 1
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(parameters_and_structure_are_the_same) {
 
 BOOST_AUTO_TEST_CASE(whatever_the_parameters_it_stores_and_loses_energy_only) {
   for (unsigned seed = 0; seed < 50; ++seed)
-    for (const Shape& shape : shapes) {
+    for (const StructureShape& shape : shapes) {
       const Structure structure = structure_of(shape, 3 * drawn_parameters(shape, seed));
       const VectorXd stiffness = vcrit::linear::symmetric_eigen(structure.stiffness_matrix()).values,
                      damping = vcrit::linear::symmetric_eigen(structure.damping_matrix()).values;
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(whatever_the_parameters_it_stores_and_loses_energy_only) {
 // Parameters that no row could tell from others would lose the digits of what moves.
 BOOST_AUTO_TEST_CASE(no_parameter_leaves_what_rows_can_tell) {
   const Rows rows = some_rows();
-  for (const Shape& shape : shapes) {
+  for (const StructureShape& shape : shapes) {
     VectorXd parameters = 1e9 * drawn_parameters(shape, 4);
     keep_in_reach(shape, rows, parameters);
     const Structure structure = structure_of(shape, parameters);

@@ -21,18 +21,18 @@ inline double value_of(const symbolic::shortest::SmallFraction& fraction) {
 /// Of an expression; `known`: the symbols, and then what was evaluated.
 inline double value_of(const symbolic::shortest::Expressions& all, symbolic::shortest::ExNode node,
                        std::map<symbolic::shortest::ExNode, double>& known) {
-  using symbolic::shortest::Kind;
+  using symbolic::shortest::ExpressionKind;
   if (const auto found = known.find(node); found != known.end()) return found->second;
   const auto& data = all[node];
-  double value = data.kind == Kind::sum ? 0 : 1;
+  double value = data.kind == ExpressionKind::sum ? 0 : 1;
   for (const auto& item : data.items) {
     const double part = value_of(all, item.node, known);
-    if (data.kind == Kind::sum) value += value_of(item.factor) * part;
-    if (data.kind == Kind::product) value *= std::pow(part, item.exponent);
-    if (data.kind == Kind::root) value = std::sqrt(value_of(item.factor) * part);
-    if (data.kind == Kind::magnitude) value = std::abs(part);
+    if (data.kind == ExpressionKind::sum) value += value_of(item.factor) * part;
+    if (data.kind == ExpressionKind::product) value *= std::pow(part, item.exponent);
+    if (data.kind == ExpressionKind::root) value = std::sqrt(value_of(item.factor) * part);
+    if (data.kind == ExpressionKind::magnitude) value = std::abs(part);
   }
-  if (data.kind == Kind::symbol) {
+  if (data.kind == ExpressionKind::symbol) {
     const auto& meaning = all.meaning(node);
     value = value_of(meaning.factor) * value_of(all, meaning.node, known);
   }

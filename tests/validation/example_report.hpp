@@ -53,7 +53,7 @@ k4 = 2e6
 c4 = 8
 )toml";
 
-inline Formula formula(const std::string& letter) {
+inline ShownFormula formula(const std::string& letter) {
   return {"<math><mi>" + letter + "</mi></math>", letter, letter};
 }
 

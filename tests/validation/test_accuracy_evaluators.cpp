@@ -28,8 +28,8 @@ Scene scene_named(const std::string& name) {
 /// `size` sets of one number, for each of which v* = 1.5 and the condition number is 6.
 struct Plain {
   Inputs inputs;
-  Reference reference;
-  Answers answers{{"hand", "by hand"}, 10, {}};
+  VelocityReference reference;
+  WayAnswers answers{{"hand", "by hand"}, 10, {}};
 
   explicit Plain(std::size_t size) {
     for (std::size_t i = 0; i < size; ++i) inputs.sets.push_back({static_cast<double>(i)});

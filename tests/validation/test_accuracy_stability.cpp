@@ -70,11 +70,11 @@ BOOST_AUTO_TEST_CASE(resonances_of_the_elastic_drive_by_hand) {
   const Scene scene = scene_named("elastic_drive.toml");
   const Resonances resonances(scene);
   const Values values = resolve(scene).values();
-  const auto relative = [&](Balance balance, double expected) {
+  const auto relative = [&](ResonanceKind balance, double expected) {
     return std::abs(resonances.find(balance, values).value() / expected - 1);
   };
-  BOOST_TEST(relative(Balance::resonance, std::sqrt(2e6 / 5e-4)) < 8 * 0x1p-53);
-  BOOST_TEST(relative(Balance::antiresonance, std::sqrt(11.47e6 / 5e-4)) < 8 * 0x1p-53);
+  BOOST_TEST(relative(ResonanceKind::resonance, std::sqrt(2e6 / 5e-4)) < 8 * 0x1p-53);
+  BOOST_TEST(relative(ResonanceKind::antiresonance, std::sqrt(11.47e6 / 5e-4)) < 8 * 0x1p-53);
 }
 
 // Every layer against the rule for evaluations in doubles: 32 roundings times the condition number.

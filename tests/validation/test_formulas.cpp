@@ -43,7 +43,7 @@ BOOST_AUTO_TEST_CASE(velocity_is_shown_as_it_is_printed) {
       BOOST_TEST(printed["critical_velocity"]["text"] == shown.formula.text);
       BOOST_TEST(printed["definitions"].size() == shown.definitions.size());
       for (std::size_t i = 0; i < shown.definitions.size(); ++i) {
-        const Equation& each = shown.definitions[i];
+        const ShownEquation& each = shown.definitions[i];
         BOOST_TEST(printed["definitions"].at(i)["text"] ==
                    each.left.text + " = " + each.right.text);
       }

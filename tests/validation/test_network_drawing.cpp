@@ -158,9 +158,9 @@ BOOST_AUTO_TEST_CASE(a_wide_system_is_drawn_in_less_room) {
 BOOST_AUTO_TEST_CASE(words_of_a_standing_network_are_upright) {
   const Drawing one = draw(k("k1"), {true, {}});
   BOOST_TEST(one.above > one.below);
-  const auto words = std::find_if(one.shapes.begin(), one.shapes.end(), [](const Shape& shape) {
-    return shape.form == Shape::Form::text;
-  });
+  const auto words =
+      std::find_if(one.shapes.begin(), one.shapes.end(),
+                   [](const DrawnShape& shape) { return shape.form == DrawnShape::Form::text; });
   BOOST_REQUIRE((words != one.shapes.end()));
   BOOST_TEST(words->transform.starts_with("rotate(-90 "));
   BOOST_TEST(words->anchor == "start");

@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(references_are_those_of_the_files) {
   BOOST_REQUIRE(own.size() == friction_references().size());
   std::size_t shared = 0;
   for (std::size_t i = 0; i < own.size(); ++i) {
-    const Reference& row = friction_references()[i];
+    const FrictionValue& row = friction_references()[i];
     BOOST_TEST(row.delta == std::stod(own[i].at(0)));
     BOOST_TEST(row.ratio == std::stod(own[i].at(1)));
     BOOST_TEST(row.friction == std::stod(own[i].at(2)));
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(equations_are_proved_and_others_are_not) {
   const Proofs& proofs = the_paper().proofs;
   for (const char* equation : {"(29)", "(30)", "(31)"})
     BOOST_TEST(std::any_of(proofs.proofs.begin(), proofs.proofs.end(),
-                           [&](const Proof& p) { return p.equation == equation; }));
+                           [&](const EquationProof& p) { return p.equation == equation; }));
   const auto of = [](const char* name) { return symbolic::symbol({name}); };
   const GiNaC::ex value = of("kn") / of("kt");
   BOOST_TEST(

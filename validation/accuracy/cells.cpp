@@ -39,7 +39,7 @@ std::optional<std::size_t> column_of(const std::vector<double>& middles, double 
 std::vector<double> row_of(const std::vector<double>& middles, const Resonances& resonances,
                            const Values& values) {
   std::vector<double> row = middles;
-  for (const Balance balance : {Balance::resonance, Balance::antiresonance})
+  for (const ResonanceKind balance : {ResonanceKind::resonance, ResonanceKind::antiresonance})
     if (const auto omega = resonances.find(balance, values))
       if (const auto column = column_of(middles, *omega))
         row[*column] = *omega * (1 + beside_balance);

@@ -84,7 +84,7 @@ struct Layer {
   std::vector<Mark> marks;
 };
 
-struct Line {
+struct MapLine {
   std::string name;
   std::vector<std::array<double, 2>> points;  ///< omega (rad/s), factor
 };
@@ -95,7 +95,7 @@ struct StabilityMap {
   std::vector<Symbol> scaled;         ///< by the factor
   std::vector<double> omega, factor;  ///< rad/s; 1
   std::vector<Layer> layers;
-  std::vector<Line> lines;  ///< (anti)resonance
+  std::vector<MapLine> lines;  ///< (anti)resonance
 };
 
 struct Accuracy {

@@ -30,9 +30,9 @@ void for_each_set(const Problem& problem, const Inputs& inputs, const Visit& vis
 }
 
 /// The library's function, which reads a scene's numbers each time.
-Answers library_answers(const Problem& problem, const Inputs& inputs) {
+WayAnswers library_answers(const Problem& problem, const Inputs& inputs) {
   using Clock = std::chrono::steady_clock;
-  Answers answers{{"library", "Eq. 24 in doubles, from the scene"}, 0, {}};
+  WayAnswers answers{{"library", "Eq. 24 in doubles, from the scene"}, 0, {}};
   const Clock::time_point begin = Clock::now();
   for_each_set(problem, inputs,
                [&](const Problem& each) { answers.values.push_back(critical_velocity(each)); });
@@ -67,8 +67,8 @@ struct Failures {
 };
 
 // What is not finite comes first.
-std::vector<WorstInput> worst_inputs(const Answers& answers, const Inputs& inputs,
-                                     const Reference& reference,
+std::vector<WorstInput> worst_inputs(const WayAnswers& answers, const Inputs& inputs,
+                                     const VelocityReference& reference,
                                      const std::vector<double>& errors) {
   const auto rank = [&](std::size_t i) { return std::isnan(errors[i]) ? HUGE_VAL : errors[i]; };
   std::vector<std::size_t> order;
@@ -85,8 +85,8 @@ std::vector<WorstInput> worst_inputs(const Answers& answers, const Inputs& input
 
 }  // namespace
 
-Reference reference_of(const Problem& problem, const Inputs& inputs) {
-  Reference reference;
+VelocityReference reference_of(const Problem& problem, const Inputs& inputs) {
+  VelocityReference reference;
   for_each_set(problem, inputs, [&](const Problem& each) {
     reference.right.push_back(certified_or_nan(each));
     reference.condition.push_back(condition_number(each, each.values()));
@@ -100,7 +100,8 @@ double ulps(double found, double right) {
   return std::abs(found - right) / (std::nextafter(size, HUGE_VAL) - size);
 }
 
-EvaluatorError assess(const Answers& answers, const Inputs& inputs, const Reference& reference) {
+EvaluatorError assess(const WayAnswers& answers, const Inputs& inputs,
+                      const VelocityReference& reference) {
   EvaluatorError result;
   result.key = answers.way.key;
   result.name = answers.way.name;
@@ -147,11 +148,11 @@ EvaluatorErrors evaluator_errors(const Problem& problem, const Driver* driver,
   result.near_resonance = inputs.near_resonance;
   result.near_antiresonance = inputs.near_antiresonance;
   for (const Symbol& symbol : inputs.symbols) result.symbols.push_back(as_called(problem, symbol));
-  const Reference reference = reference_of(problem, inputs);
+  const VelocityReference reference = reference_of(problem, inputs);
   if (driver != nullptr) {
     std::vector<std::string> keys;
     for (const Way& way : driver->ways()) keys.push_back(way.key);
-    for (const Answers& answers : driver->run(inputs.sets, keys))
+    for (const WayAnswers& answers : driver->run(inputs.sets, keys))
       result.ways.push_back(assess(answers, inputs, reference));
   }
   result.ways.push_back(assess(library_answers(problem, inputs), inputs, reference));

@@ -33,7 +33,7 @@ std::size_t index_of(const std::vector<Symbol>& symbols, const Symbol& symbol) {
 }
 
 /// Moves omega to the balance, if there is one; whether it did.
-bool move(double& omega, Balance balance, const Resonances& resonances, const Values& values,
+bool move(double& omega, ResonanceKind balance, const Resonances& resonances, const Values& values,
           double offset) {
   const auto place = resonances.find(balance, values);
   if (place) omega = *place * (1 + offset);
@@ -58,9 +58,10 @@ Inputs draw_inputs(const Problem& problem, const std::vector<Symbol>& symbols, s
     if (const Receptance* measured = problem->receptance())
       own = std::clamp(own, measured->rows.front().omega, measured->rows.back().omega);
     if (i % 4 == 0)
-      inputs.near_resonance += move(own, Balance::resonance, resonances, values, offset);
+      inputs.near_resonance += move(own, ResonanceKind::resonance, resonances, values, offset);
     if (i % 4 == 1)
-      inputs.near_antiresonance += move(own, Balance::antiresonance, resonances, values, offset);
+      inputs.near_antiresonance +=
+          move(own, ResonanceKind::antiresonance, resonances, values, offset);
     std::vector<double>& set = inputs.sets.emplace_back();
     for (const Symbol& symbol : symbols) set.push_back(values.at(symbol));
   }

@@ -238,7 +238,7 @@ Figure map_picture(const StabilityMap& map, const Layer& layer) {
   // More digits would only make the page longer.
   for (double& lost : figure.map->values) lost = std::round(100 * lost) / 100;
   int colour = 5;
-  for (const Line& line : map.lines) {
+  for (const MapLine& line : map.lines) {
     FigureSeries series{line.name, colour == 5 ? Style::dashed : Style::dotted, {}, colour};
     for (const auto& [omega, factor] : line.points)
       series.points.push_back({omega / kilo_radians, factor, line.name});

@@ -12,15 +12,15 @@ Resonances::Resonances(const Problem& problem) : problem_(problem) {
   tangential_ = tangential_network(problem);
 }
 
-double Resonances::excess(Balance balance, const Values& values, double omega) const {
+double Resonances::excess(ResonanceKind balance, const Values& values, double omega) const {
   double stiffness = dynamic_stiffness(drive_->reduction(), values, omega).real();
-  if (balance == Balance::antiresonance)
+  if (balance == ResonanceKind::antiresonance)
     stiffness += tangential_->factor *
                  dynamic_stiffness(tangential_->network.reduction(), values, omega).real();
   return stiffness - values.at(problem_->mass->symbol) * omega * omega;
 }
 
-std::optional<double> Resonances::find(Balance balance, const Values& values) const {
+std::optional<double> Resonances::find(ResonanceKind balance, const Values& values) const {
   if (!exist()) return std::nullopt;
   const double omega = values.at(problem_->angular_frequency.symbol);
   double low = 1e-9 * omega, high = 1e9 * omega;

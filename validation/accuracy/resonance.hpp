@@ -9,7 +9,7 @@
 
 namespace vcrit::validation::accuracy {
 
-enum class Balance { resonance, antiresonance };
+enum class ResonanceKind { resonance, antiresonance };
 
 class Resonances {
  public:
@@ -19,16 +19,16 @@ class Resonances {
   bool exist() const { return drive_.has_value(); }
   /// The angular frequency within nine decades of the scene's own (in `values`), to a rounding
   /// error; one of them, if there are several. Nothing if there is none.
-  std::optional<double> find(Balance balance, const Values& values) const;
+  std::optional<double> find(ResonanceKind balance, const Values& values) const;
 
   /// Whether stiffness outweighs inertia at `omega` (rad/s): the balance lies above it. Not without
   /// a body.
-  bool above(Balance balance, const Values& values, double omega) const {
+  bool above(ResonanceKind balance, const Values& values, double omega) const {
     return exist() && excess(balance, values, omega) > 0;
   }
 
  private:
-  double excess(Balance balance, const Values& values, double omega) const;
+  double excess(ResonanceKind balance, const Values& values, double omega) const;
 
   Problem problem_;
   std::optional<ReducedNetwork> drive_;

@@ -67,7 +67,7 @@ void add_driver_layers(StabilityMap& map, const Cells& cells, const Driver& driv
     std::vector<double>& set = sets.emplace_back();
     for (const Symbol& symbol : driver.symbols()) set.push_back(values.at(symbol));
   }
-  for (const Answers& answers : driver.run(sets, keys))
+  for (const WayAnswers& answers : driver.run(sets, keys))
     map.layers.push_back(layer_of(cells, answers.way.key, answers.way.name, answers.values));
 }
 
@@ -80,7 +80,7 @@ Layer simulated(const Problem& problem, const Cells& cells) {
   std::vector<double> thresholds;
   std::vector<Mark> marks;
   cells.for_each(problem, [&](const Problem& each, std::size_t i) {
-    const auto swing = resonances.find(Balance::antiresonance, cells.values[i]);
+    const auto swing = resonances.find(ResonanceKind::antiresonance, cells.values[i]);
     const double omega = cells.values[i].at(problem->angular_frequency.symbol);
     const bool too_long = swing && *swing > most_swings * omega;
     const SimulatedCell cell = too_long ? not_asked(each) : simulated_cell(each, cells.right[i]);
@@ -92,21 +92,21 @@ Layer simulated(const Problem& problem, const Cells& cells) {
   return layer;
 }
 
-std::vector<Line> balance_lines(const Problem& problem, const Cells& cells) {
+std::vector<MapLine> balance_lines(const Problem& problem, const Cells& cells) {
   const Resonances resonances(problem);
   if (!resonances.exist()) return {};
-  std::vector<Line> lines{{"resonance", {}}, {"antiresonance", {}}};
+  std::vector<MapLine> lines{{"resonance", {}}, {"antiresonance", {}}};
   for (std::size_t row = 0; row < cells.factor.size(); ++row) {
     const Values& values = cells.values[row * cells.omega.size()];
-    const auto add = [&](Line& line, Balance balance) {
+    const auto add = [&](MapLine& line, ResonanceKind balance) {
       const auto omega = resonances.find(balance, values);
       if (omega && *omega >= cells.omega.front() && *omega <= cells.omega.back())
         line.points.push_back({*omega, cells.factor[row]});
     };
-    add(lines[0], Balance::resonance);
-    add(lines[1], Balance::antiresonance);
+    add(lines[0], ResonanceKind::resonance);
+    add(lines[1], ResonanceKind::antiresonance);
   }
-  std::erase_if(lines, [](const Line& line) { return line.points.empty(); });
+  std::erase_if(lines, [](const MapLine& line) { return line.points.empty(); });
   return lines;
 }
 

@@ -8,12 +8,12 @@
 
 namespace vcrit::validation {
 
-Formula formula_of(const GiNaC::ex& expression) {
+ShownFormula formula_of(const GiNaC::ex& expression) {
   return {symbolic::to_mathml(expression), symbolic::to_latex(expression),
           symbolic::to_text(expression)};
 }
 
-Formula formula_of(const symbolic::Form& form) {
+ShownFormula formula_of(const symbolic::Form& form) {
   return {symbolic::to_mathml(form), symbolic::latex_dialect().print({false, form}),
           symbolic::text_dialect().print({false, form})};
 }
@@ -43,8 +43,8 @@ ShownVelocity shown_velocity(const symbolic::Derivation& derivation) {
   return shown;
 }
 
-std::vector<Equation> equations_of(const std::vector<symbolic::Line>& lines) {
-  std::vector<Equation> equations;
+std::vector<ShownEquation> equations_of(const std::vector<symbolic::Line>& lines) {
+  std::vector<ShownEquation> equations;
   for (const symbolic::Line& line : lines)
     equations.push_back({line.words.text(), formula_of(line.left), formula_of(line.right),
                          symbolic::to_mathml(line.words)});

@@ -15,8 +15,8 @@ struct Form;
 
 namespace vcrit::validation {
 
-Formula formula_of(const GiNaC::ex& expression);
-Formula formula_of(const symbolic::Form& form);
+ShownFormula formula_of(const GiNaC::ex& expression);
+ShownFormula formula_of(const symbolic::Form& form);
 
 /// What the formula of v* says in words.
 std::vector<ShownFact> shown_facts(const symbolic::Derivation& derivation);
@@ -24,7 +24,7 @@ std::vector<ShownFact> shown_facts(const symbolic::Derivation& derivation);
 /// The shortest real formula, proved to be the derived one, where it fits a page.
 ShownVelocity shown_velocity(const symbolic::Derivation& derivation);
 
-std::vector<Equation> equations_of(const std::vector<symbolic::Line>& lines);
+std::vector<ShownEquation> equations_of(const std::vector<symbolic::Line>& lines);
 
 /// The limits and special cases that the scene has.
 std::vector<LimitLine> limits_of(const symbolic::Derivation& derivation);

@@ -105,7 +105,7 @@ StateMap indenter_map(const HalfSpace& half_space, double velocity) {
   StateMap map;
   for (int i = 0; i < samples; ++i) map.phases.push_back(two_pi * (i + 0.5) / samples);
   const auto cells = indenter::cells(half_space, velocity, count, 0);
-  for (const indenter::Cell& cell : cells) {
+  for (const indenter::CellMotion& cell : cells) {
     map.rows.push_back(cell.x / half_space.edge());
     const auto row = motions_in(cell.state, map.phases);
     map.motions.insert(map.motions.end(), row.begin(), row.end());

@@ -19,7 +19,8 @@ std::vector<Influence> influences(const Problem& problem, const std::vector<Valu
   std::vector<Influence> all;
   for (const Share& share : shares_of(problem, symbols)) {
     const ValueLine& line = *line_of.at(share.of);
-    const Formula sign = share.is_array ? formula_of(symbolic::symbol(share.called)) : line.name;
+    const ShownFormula sign =
+        share.is_array ? formula_of(symbolic::symbol(share.called)) : line.name;
     all.push_back({to_text(share.called), sign, line.meaning, share.is_array, share.share});
   }
   return all;

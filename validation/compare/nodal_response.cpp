@@ -75,7 +75,7 @@ class Points {
 
   // Displacement of a point for each newton on it.
   LongComplex compliance(int point) const {
-    linear::Matrix<LongComplex> k = linear::Matrix<LongComplex>::Zero(count_, count_);
+    linear::DenseMatrix<LongComplex> k = linear::DenseMatrix<LongComplex>::Zero(count_, count_);
     for (const auto& [a, b, stiffness] : edges_) {
       if (a != ground) k(a, a) += stiffness;
       if (b != ground) k(b, b) += stiffness;
@@ -83,7 +83,8 @@ class Points {
       k(a, b) -= stiffness;
       k(b, a) -= stiffness;
     }
-    const linear::Vector<LongComplex> force = linear::Vector<LongComplex>::Unit(count_, point);
+    const linear::DenseVector<LongComplex> force =
+        linear::DenseVector<LongComplex>::Unit(count_, point);
     return linear::Lu<LongComplex>(k).solve(force)(point);
   }
 

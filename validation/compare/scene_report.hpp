@@ -41,21 +41,21 @@ Comparison::Outcome outcome(const Comparison& comparison);
 const char* to_text(Comparison::Outcome outcome);  ///< "passed", "failed", "not run"
 
 /// Mathematics as the page shows it and as it can be copied.
-struct Formula {
+struct ShownFormula {
   std::string mathml, latex, text;
 };
 
 /// left = right, and the words that lead to it.
-struct Equation {
+struct ShownEquation {
   std::string words;
-  Formula left, right;
+  ShownFormula left, right;
   std::string markup = {};  ///< the words with MathML
 };
 
 /// v* as its readers are shown it.
 struct ShownVelocity {
-  Formula formula;
-  std::vector<Equation> definitions;  ///< of names in it
+  ShownFormula formula;
+  std::vector<ShownEquation> definitions;  ///< of names in it
   std::string ratio;                  ///< where K_n/K_t comes from; else empty
   bool is_real = false;               ///< the shortest form; else in complex stiffnesses
   std::string ratio_markup = {};      ///< with MathML
@@ -64,21 +64,21 @@ struct ShownVelocity {
 /// What the formula says; see symbolic::Fact.
 struct ShownFact {
   std::string key, words;
-  std::vector<Equation> lines;
+  std::vector<ShownEquation> lines;
   std::string markup = {};  ///< the words with MathML
 };
 
 struct LimitLine {
   std::string name, equation;  ///< see symbolic::Limit
   std::string mathml_name;
-  Formula result;
-  std::vector<Equation> definitions;  ///< of names in `result`
+  ShownFormula result;
+  std::vector<ShownEquation> definitions;  ///< of names in `result`
 };
 
 /// One number of the scene.
 struct ValueLine {
   Symbol symbol;
-  Formula name;
+  ShownFormula name;
   double value = 0;     ///< SI
   std::string unit;     ///< of it, empty for a ratio
   std::string meaning;  ///< "spring", "angular frequency", ...
@@ -87,7 +87,7 @@ struct ValueLine {
 /// What v* makes of one number of the scene, of an array of all entries at once.
 struct Influence {
   std::string name;  ///< as the scene has it
-  Formula sign;
+  ShownFormula sign;
   std::string meaning;  ///< as of its values
   bool array = false;
   double share = 0;  ///< (p/v*) dv*/dp
@@ -168,8 +168,8 @@ struct AsymptoteLine {
   bool low = true;  ///< as omega -> 0; else as omega -> infinity
   int power = 0;
   double coefficient = 0;
-  Formula formula;
-  std::vector<Equation> definitions;  ///< of names in it
+  ShownFormula formula;
+  std::vector<ShownEquation> definitions;  ///< of names in it
 };
 
 /// Where the drive makes v* largest (resonance) or smallest (antiresonance).
@@ -209,7 +209,8 @@ struct Separation {
   double critical_velocity = 0;       ///< of the motion, m/s; may be infinite
   double drive_velocity = 0;          ///< the same of the drive
   double border = 0;                  ///< du_z/u_z0 beyond which the contact opens
-  std::vector<Equation> derivation;   ///< of v* where the contact opens; empty without closed form
+  std::vector<ShownEquation>
+      derivation;                     ///< of v* where the contact opens; empty without closed form
   std::vector<FrictionCurve> curves;  ///< by increasing amplitude
   StateMap map;                       ///< rows: v0 over v* by Eq. 24
 };
@@ -251,7 +252,7 @@ struct SceneReport {
   std::vector<ShownFact> facts;
   std::optional<Effect> effect;  ///< what vibration does to this contact
   std::string equation;          ///< number of the formula in the paper
-  std::vector<Equation> derivation;
+  std::vector<ShownEquation> derivation;
   std::vector<LimitLine> limits;
   std::string compiler;  ///< that compiled the generated evaluator, with version; else empty
   std::vector<Comparison> comparisons;

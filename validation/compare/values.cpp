@@ -58,7 +58,7 @@ std::vector<ValueLine> value_lines(const Problem& problem) {
   const Values& values = problem.values();
   std::vector<ValueLine> lines;
   const auto add = [&](const Symbol& symbol, const ValueKind& kind) {
-    const Formula name = formula_of(symbolic::symbol(symbol));
+    const ShownFormula name = formula_of(symbolic::symbol(symbol));
     lines.push_back({symbol, name, values.at(symbol), kind.unit, kind.meaning});
   };
   add(problem->angular_frequency.symbol, {"rad/s", "angular frequency"});

@@ -49,7 +49,7 @@ std::vector<Claimed> by_driver(const Driver& driver, const Cells& cells) {
   const std::vector<double> accurate = driver.bounds(sets, "certified");
   const std::vector<double> fast = driver.bounds(sets, "fast");
   std::vector<Claimed> all;
-  for (const Answers& answers :
+  for (const WayAnswers& answers :
        driver.run(sets, {"fast", "fast_batch", "accurate", "accurate_batch", "certified"}))
     all.push_back(
         {answers.way.key, answers.values, answers.way.key.starts_with("fast") ? fast : accurate});

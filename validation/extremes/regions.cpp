@@ -7,7 +7,7 @@
 
 namespace vcrit::validation::extremes {
 
-using accuracy::Balance;
+using accuracy::ResonanceKind;
 
 namespace {
 
@@ -65,7 +65,7 @@ std::vector<double> distances() {
 }
 
 void add_balance(std::vector<CellsOf>& all, const Problem& problem, const char* key,
-                 Balance balance) {
+                 ResonanceKind balance) {
   const accuracy::Resonances resonances(problem);
   Values values = problem.values();
   values[problem->angular_frequency.symbol] = limits_omega;
@@ -114,8 +114,8 @@ std::vector<CellsOf> all_cells(const Family& family, const Problem& problem,
   add_map(all, problem, "stiffness", accuracy::stiffness_symbols(problem), stiffness_decades,
           fineness);
   if (!problem->rigid() && !all.empty()) all.push_back(corners(problem, all.front().cells.omega));
-  add_balance(all, problem, "resonance", Balance::resonance);
-  add_balance(all, problem, "antiresonance", Balance::antiresonance);
+  add_balance(all, problem, "resonance", ResonanceKind::resonance);
+  add_balance(all, problem, "antiresonance", ResonanceKind::antiresonance);
   if (!family.approaches.empty()) all.push_back(approaches(family, problem));
   return all;
 }

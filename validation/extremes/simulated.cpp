@@ -31,7 +31,8 @@ struct Asking {
     if (!std::isnormal(known.right[i])) return "v* is no normal double";
     if (!(formula_tolerance(known.condition[i]) < largest_rounding))
       return "too near to resonance for 10⁻⁶ of v*";
-    if (resonances.above(accuracy::Balance::antiresonance, cells.values[i], most_swings * omega))
+    if (resonances.above(accuracy::ResonanceKind::antiresonance, cells.values[i],
+                         most_swings * omega))
       return "the stuck body swings over 10,000 times in a period";
     return {};
   }

@@ -2,7 +2,7 @@
 
 namespace vcrit::validation::paper {
 
-Comparison comparison(const Measured& what, const Pair& pair) {
+Comparison comparison(const ComparedQuantity& what, const Pair& pair) {
   Comparison result;
   result.key = what.key;
   result.name = what.name;
@@ -16,7 +16,7 @@ Comparison comparison(const Measured& what, const Pair& pair) {
   return result;
 }
 
-Comparison worst(const Measured& what, const std::vector<Pair>& pairs) {
+Comparison worst(const ComparedQuantity& what, const std::vector<Pair>& pairs) {
   std::vector<Comparison> all;
   for (const Pair& pair : pairs) all.push_back(comparison(what, pair));
   if (const Comparison* found = tightest(all)) return *found;

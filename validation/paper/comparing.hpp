@@ -12,7 +12,7 @@ namespace vcrit::validation::paper {
 inline constexpr double friction_rounding = 0x1p-52;
 
 /// What two numbers are and how far apart they may be; the numbers are still missing.
-struct Measured {
+struct ComparedQuantity {
   std::string key, name, reference, reason;
   Comparison::Measure measure = Comparison::Measure::absolute;
 };
@@ -23,9 +23,9 @@ struct Pair {
   std::string detail;
 };
 
-Comparison comparison(const Measured& what, const Pair& pair);
+Comparison comparison(const ComparedQuantity& what, const Pair& pair);
 
 /// Of the pair nearest to its tolerance, or farthest beyond; broken where there are none.
-Comparison worst(const Measured& what, const std::vector<Pair>& pairs);
+Comparison worst(const ComparedQuantity& what, const std::vector<Pair>& pairs);
 
 }  // namespace vcrit::validation::paper

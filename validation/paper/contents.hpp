@@ -16,16 +16,16 @@ namespace vcrit::validation::paper {
 using validation::to_text;  // beside that of a verdict
 
 /// An equation of the paper, derived from a scene and written by hand.
-struct Proof {
+struct EquationProof {
   std::string equation;  ///< "(29)"
   std::string words;     ///< of which scene, or in which limit
-  Formula derived;       ///< v*
-  Formula by_hand;       ///< v*, typed in
+  ShownFormula derived;  ///< v*
+  ShownFormula by_hand;  ///< v*, typed in
   bool legible = false;  ///< in the source at hand; else worked out by hand
 };
 
 struct Proofs {
-  std::vector<Proof> proofs;
+  std::vector<EquationProof> proofs;
   std::vector<std::string> rheologies;  ///< for which the rigidly driven isotropic v* was derived
   std::vector<Comparison> comparisons;
 };

@@ -75,8 +75,8 @@ void add_line(DifferenceMap& result, const std::vector<double>& along) {
   result.figure.series.push_back(std::move(line));
 }
 
-double reference_of(std::span<const Reference> rows, double delta, double ratio) {
-  for (const Reference& row : rows)
+double reference_of(std::span<const FrictionValue> rows, double delta, double ratio) {
+  for (const FrictionValue& row : rows)
     if (row.delta == delta && row.ratio == ratio) return row.friction;
   throw Bug("no reference there");
 }

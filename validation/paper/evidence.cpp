@@ -32,7 +32,7 @@ std::vector<double> by_moreau(const simulation::System& system, double velocity)
   return frictions;
 }
 
-Witness witness_of(const Reference& row) {
+Witness witness_of(const FrictionValue& row) {
   const simulation::System system = kelvin_contact(row.delta, reference_amplitude);
   const double velocity = row.ratio * kelvin_critical_velocity(row.delta, reference_amplitude);
   MethodOptions options;
@@ -98,8 +98,8 @@ Comparison driven_threshold() {
 // each costs up to a h^2/(2 pi); the steps between, of second order, are given as much as both.
 std::vector<Comparison> compare_witness(const Witness& w) {
   const auto what = [&](const char* key, const char* method, const char* reason) {
-    return Measured{key, fmt::format("{}, δ = {}, v₀/v* = {}", method, w.delta, w.ratio),
-                    "25 digits", reason};
+    return ComparedQuantity{key, fmt::format("{}, δ = {}, v₀/v* = {}", method, w.delta, w.ratio),
+                            "25 digits", reason};
   };
   std::vector<Pair> by_steps;
   for (std::size_t i = 0; i < w.moreau.size(); ++i) {
@@ -122,7 +122,7 @@ std::vector<Comparison> compare_witness(const Witness& w) {
 
 Evidence hear_witnesses() {
   Evidence evidence{reference_amplitude, {steps.begin(), steps.end()}, {}, {}};
-  for (const Reference& row : friction_references()) {
+  for (const FrictionValue& row : friction_references()) {
     if (row.delta == 2 || (row.ratio != 0.1 && row.ratio != 0.5 && row.ratio != 0.99)) continue;
     evidence.rows.push_back(witness_of(row));
     for (Comparison& each : compare_witness(evidence.rows.back()))

@@ -67,7 +67,7 @@ void add_references(Figure& figure, Friction friction, double delta) {
     return friction(delta, reference_amplitude, ratio);
   }));
   FigureSeries circles{name, Style::circles, {}, colour};
-  for (const Reference& row : friction_references())
+  for (const FrictionValue& row : friction_references())
     if (row.delta == delta)
       circles.points.push_back({row.ratio, row.friction, fmt::format("{:.15f}", row.friction)});
   figure.series.push_back(std::move(circles));
@@ -90,7 +90,7 @@ Figure panel(char letter, const char* model, const char* words, double delta, Fr
 /// Full motion against 25 digits.
 Comparison full_against_references(double delta) {
   std::vector<Pair> pairs;
-  for (const Reference& row : friction_references()) {
+  for (const FrictionValue& row : friction_references()) {
     if (row.delta != delta) continue;
     const auto motion = full_motion(delta, reference_amplitude, row.ratio);
     pairs.push_back({row.friction, motion.friction_ratio,
@@ -103,7 +103,7 @@ Comparison full_against_references(double delta) {
                pairs);
 }
 
-Comparison reduced_against(const Reference& row) {
+Comparison reduced_against(const FrictionValue& row) {
   return comparison(
       {"figure4_reduced",
        fmt::format("the reduced model, δ = {}, v₀/v* = {}", row.delta, row.ratio),
@@ -112,7 +112,7 @@ Comparison reduced_against(const Reference& row) {
 }
 
 /// Without damping the full motion is that of the reduced model.
-Comparison elastic_against(const Reference& row) {
+Comparison elastic_against(const FrictionValue& row) {
   const auto motion = full_motion(0, reference_amplitude, row.ratio);
   return comparison(
       {"elastic", fmt::format("full motion, δ = 0, v₀/v* = {}", row.ratio),
@@ -153,9 +153,9 @@ Figure4 draw_figure4() {
     result.full.push_back(panel(letter++, "full", "full motion", delta, full_friction));
     result.comparisons.push_back(full_against_references(delta));
   }
-  for (const Reference& row : reduced_references())
+  for (const FrictionValue& row : reduced_references())
     result.comparisons.push_back(reduced_against(row));
-  for (const Reference& row : elastic_references())
+  for (const FrictionValue& row : elastic_references())
     result.comparisons.push_back(elastic_against(row));
   result.comparisons.push_back(proportionality());
   return result;

@@ -10,17 +10,17 @@ namespace vcrit::validation::paper {
 /// tests/data/paper_friction.csv: Newton's method in 40 digits on the two equations of stick and
 /// slip, by a script that shares nothing with this program. Rows that
 /// tests/data/stickslip_reference.csv has, too (event-driven, 30 against 50 digits), are the same.
-struct Reference {
+struct FrictionValue {
   double delta, ratio, friction;
 };
-std::span<const Reference> friction_references();
+std::span<const FrictionValue> friction_references();
 constexpr double reference_amplitude = 0.9;  ///< a of all of them
 
 /// The same at delta = 0, of tests/data/stickslip_reference.csv.
-std::span<const Reference> elastic_references();
+std::span<const FrictionValue> elastic_references();
 
 /// What the reduced model (47)-(51) gives at a = 0.9, in 13 digits: docs/physics.md.
-std::span<const Reference> reduced_references();
+std::span<const FrictionValue> reduced_references();
 
 /// Its limit as v0 -> 0, at a = 1, in 13 digits.
 struct RestReference {

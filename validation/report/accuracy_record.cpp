@@ -121,7 +121,7 @@ void fields(Fields& f, const accuracy::Layer& it) {
   f("key", it.key)("name", it.name)("digits_lost", it.lost)("marks", it.marks);
 }
 
-void fields(Fields& f, const accuracy::Line& it) { f("name", it.name)("points", it.points); }
+void fields(Fields& f, const accuracy::MapLine& it) { f("name", it.name)("points", it.points); }
 
 namespace {
 

@@ -54,11 +54,11 @@ void fields(Fields& f, const Comparison& it) {
   f.page("share", share ? share_words(difference(it) / it.tolerance) : "");
 }
 
-void fields(Fields& f, const validation::Formula& it) {
+void fields(Fields& f, const validation::ShownFormula& it) {
   f("text", it.text)("latex", it.latex).page("mathml", Markup{it.mathml});
 }
 
-void fields(Fields& f, const validation::Equation& it) {
+void fields(Fields& f, const validation::ShownEquation& it) {
   f("left", it.left)("right", it.right).some("words", it.words);
   f.page("typeset_words", Markup{it.markup});
 }

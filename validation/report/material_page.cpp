@@ -70,7 +70,7 @@ record::Json shown(const ex& expression) { return record::page_of(formula_of(exp
 /// K(s) as power of s and the leading coefficient, for omega to 0 (-1) or infinity (1); nothing
 /// where it has more terms than one reads.
 std::optional<std::pair<int, ex>> leading_term(const Network& network, int direction) {
-  const symbolic::Rates rates{{{"omega"}, direction}};
+  const symbolic::GrowthExponents rates{{{"omega"}, direction}};
   const Reduction reduction = reduce(network);
   const symbolic::TermCount terms = symbolic::term_count(reduction, rates).value;
   if (std::max(terms.numerator, terms.denominator) > most_terms_of_end) return std::nullopt;
@@ -209,7 +209,7 @@ record::Json storage_record(const Problem& problem, const Material& material) {
   if (!found) return nullptr;
   record::Json steps = record::Json::array();
   for (const auto& [name, meaning] : found->steps)
-    steps.push_back(record::page_of(Equation{{}, formula_of(name), formula_of(meaning)}));
+    steps.push_back(record::page_of(ShownEquation{{}, formula_of(name), formula_of(meaning)}));
   const auto is_short = [&](const symbolic::Form& part) {
     return std::none_of(found->steps.begin(), found->steps.end(),
                         [&](const auto& step) { return step.name.text == part.text; });

@@ -59,7 +59,7 @@ Drawing symbol_of(const Element& element) {
   const auto drawn = [](Shapes shapes, int symbols = 1) {
     return Drawing{symbols * element_width, element_above, element_below, std::move(shapes)};
   };
-  const Shape spring = path(spring_path, "spring"), damper = path(damper_path, "damper");
+  const DrawnShape spring = path(spring_path, "spring"), damper = path(damper_path, "damper");
   switch (element.kind) {
     case ElementKind::spring:
     case ElementKind::lossy:
@@ -77,8 +77,8 @@ Drawing symbol_of(const Element& element) {
 }
 
 /// Words that stay upright when all is turned, to the right of (x, 0) then.
-Shape upright_text(double x, const Label& words) {
-  Shape shape = text(x, 5 - beside, words, "start");
+DrawnShape upright_text(double x, const Label& words) {
+  DrawnShape shape = text(x, 5 - beside, words, "start");
   shape.transform = fmt::format("rotate(-90 {:.1f} {:.1f})", x, -beside);
   return shape;
 }
@@ -166,9 +166,9 @@ Drawing draw_parallel(const Parallel& parallel, const NetworkLook& look) {
   return all;
 }
 
-Shape dot(const LayoutPoint& at) {
-  Shape shape;
-  shape.form = Shape::Form::node;
+DrawnShape dot(const LayoutPoint& at) {
+  DrawnShape shape;
+  shape.form = DrawnShape::Form::node;
   shape.x = at.x;
   shape.y = at.y;
   return shape;
@@ -176,14 +176,14 @@ Shape dot(const LayoutPoint& at) {
 
 /// The label of a single element beside its edge, upright whatever the edge's direction, on the
 /// side away from the line between the terminals.
-Shape edge_label(const Element& element, const LayoutPoint& middle, double angle,
-                 const NetworkLook& look) {
+DrawnShape edge_label(const Element& element, const LayoutPoint& middle, double angle,
+                      const NetworkLook& look) {
   const double side = middle.y > 1 ? -1 : 1, away = side > 0 ? 20 : 22;
   const double x = middle.x + side * away * std::sin(angle);
   const double y = middle.y - side * away * std::cos(angle);
   const double tilt = side * (look.standing ? std::cos(angle) : std::sin(angle));
   const char* anchor = tilt > 0.3 ? "start" : tilt < -0.3 ? "end" : "middle";
-  Shape shape = text(x, y + 5, names_of(element, look), anchor);
+  DrawnShape shape = text(x, y + 5, names_of(element, look), anchor);
   if (look.standing) shape.transform = fmt::format("rotate(-90 {:.1f} {:.1f})", x, y);
   return shape;
 }
@@ -270,7 +270,7 @@ Label label(const Symbol& symbol) {
 void Drawing::add(const Shapes& more) { shapes.insert(shapes.end(), more.begin(), more.end()); }
 
 void transform(Shapes& shapes, const std::string& how) {
-  for (Shape& shape : shapes)
+  for (DrawnShape& shape : shapes)
     shape.transform = how + (shape.transform.empty() ? "" : " ") + shape.transform;
 }
 
@@ -279,20 +279,20 @@ Shapes moved(double x, double y, Shapes shapes) {
   return shapes;
 }
 
-Shape path(const std::string& d, const char* style) {
-  Shape shape;
+DrawnShape path(const std::string& d, const char* style) {
+  DrawnShape shape;
   shape.d = d;
   shape.style = style;
   return shape;
 }
 
-Shape line(double x1, double y1, double x2, double y2) {
+DrawnShape line(double x1, double y1, double x2, double y2) {
   return path(fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}", x1, y1, x2, y2), "");
 }
 
-Shape text(double x, double y, const Label& words, const char* anchor) {
-  Shape shape;
-  shape.form = Shape::Form::text;
+DrawnShape text(double x, double y, const Label& words, const char* anchor) {
+  DrawnShape shape;
+  shape.form = DrawnShape::Form::text;
   shape.x = x;
   shape.y = y;
   shape.words = words;
@@ -305,15 +305,16 @@ Shape text(double x, double y, const Label& words, const char* anchor) {
 namespace vcrit::record {
 
 namespace report = validation::report;
-using validation::report::Shape;
+using validation::report::DrawnShape;
 
 void fields(Fields& f, const report::Word& it) {
   f("style", it.style)("word", it.text)("shift", it.shift);
 }
 
-void fields(Fields& f, const Shape& it) {
-  f("is_path", it.form == Shape::Form::path)("is_node", it.form == Shape::Form::node);
-  f("is_text", it.form == Shape::Form::text)("transform", it.transform)("shape_style", it.style);
+void fields(Fields& f, const DrawnShape& it) {
+  f("is_path", it.form == DrawnShape::Form::path)("is_node", it.form == DrawnShape::Form::node);
+  f("is_text", it.form == DrawnShape::Form::text)("transform", it.transform)("shape_style",
+                                                                             it.style);
   f("d", it.d)("x", it.x)("y", it.y)("anchor", it.anchor)("words", it.words);
 }
 

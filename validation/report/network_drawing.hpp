@@ -20,7 +20,7 @@ struct Word {
 using Label = std::vector<Word>;
 
 /// Coordinates in pixels, y points down.
-struct Shape {
+struct DrawnShape {
   enum class Form { path, node, text };
   Form form = Form::path;
   std::string transform;          ///< as SVG has it, the outermost first
@@ -30,7 +30,7 @@ struct Shape {
   std::string anchor = "middle";  ///< where a text has (x, y)
   Label words;                    ///< of a text
 };
-using Shapes = std::vector<Shape>;
+using Shapes = std::vector<DrawnShape>;
 
 /// A piece of a drawing whose terminals lie at (0, 0) and (width, 0).
 struct Drawing {
@@ -71,11 +71,11 @@ Label label(const Symbol& symbol);
 void transform(Shapes& shapes, const std::string& how);
 /// Shapes moved to (x, y).
 Shapes moved(double x, double y, Shapes shapes);
-Shape path(const std::string& d, const char* style);
+DrawnShape path(const std::string& d, const char* style);
 /// A straight line.
-Shape line(double x1, double y1, double x2, double y2);
+DrawnShape line(double x1, double y1, double x2, double y2);
 /// Text around a point.
-Shape text(double x, double y, const Label& words, const char* anchor = "middle");
+DrawnShape text(double x, double y, const Label& words, const char* anchor = "middle");
 
 /// All of them in one list.
 template <class Item>

@@ -12,7 +12,7 @@ namespace vcrit::record {
 namespace paper = validation::paper;
 using validation::Comparison;
 
-void fields(Fields& f, const paper::Proof& it) {
+void fields(Fields& f, const paper::EquationProof& it) {
   f("equation", it.equation)("words", it.words)("derived", it.derived)("by_hand", it.by_hand);
   f("legible", it.legible);
 }
@@ -28,7 +28,7 @@ Json by_equation(const Fields& f, const paper::Proofs& it) {
     Json ways = Json::array(), by_hand;
     bool legible = false;
     for (std::size_t i = 0; i < it.proofs.size(); ++i) {
-      const paper::Proof& proof = it.proofs[i];
+      const paper::EquationProof& proof = it.proofs[i];
       if (proof.equation != number) continue;
       const bool held = outcome(it.comparisons.at(i)) == Comparison::Outcome::passed;
       ways.push_back({{"words", proof.words}, {"equal", held}, {"v", f.written(proof.derived)}});

@@ -14,8 +14,8 @@ namespace vcrit::record {
 
 void fields(Fields& f, const simulation::Event& event);
 void fields(Fields& f, const validation::Comparison& comparison);
-void fields(Fields& f, const validation::Formula& formula);
-void fields(Fields& f, const validation::Equation& equation);
+void fields(Fields& f, const validation::ShownFormula& formula);
+void fields(Fields& f, const validation::ShownEquation& equation);
 void fields(Fields& f, const validation::ShownVelocity& velocity);
 void fields(Fields& f, const validation::ShownFact& fact);
 void fields(Fields& f, const validation::LimitLine& limit);

@@ -30,13 +30,13 @@ std::string generate_into(const symbolic::Derivation& derivation,
 }
 
 // As in the driver: a time, then the values.
-Answers read_answers(std::istream& stream, const Way& way, std::size_t count) {
+WayAnswers read_answers(std::istream& stream, const Way& way, std::size_t count) {
   const auto next = [&stream] {
     std::string word;
     if (!(stream >> word)) throw std::runtime_error("the compiled evaluators wrote too little");
     return std::strtod(word.c_str(), nullptr);
   };
-  Answers answers{way, next(), {}};
+  WayAnswers answers{way, next(), {}};
   for (std::size_t i = 0; i < count; ++i) answers.values.push_back(next());
   return answers;
 }
@@ -87,8 +87,8 @@ std::vector<double> Driver::bounds(const std::vector<std::vector<double>>& sets,
   return run(sets, std::vector<Way>{{grade + "_bound", {}}}).front().values;
 }
 
-std::vector<Answers> Driver::run(const std::vector<std::vector<double>>& sets,
-                                 const std::vector<std::string>& keys) const {
+std::vector<WayAnswers> Driver::run(const std::vector<std::vector<double>>& sets,
+                                    const std::vector<std::string>& keys) const {
   std::vector<Way> ways;
   for (const std::string& key : keys) {
     const auto way =
@@ -99,8 +99,8 @@ std::vector<Answers> Driver::run(const std::vector<std::vector<double>>& sets,
   return run(sets, ways);
 }
 
-std::vector<Answers> Driver::run(const std::vector<std::vector<double>>& sets,
-                                 const std::vector<Way>& ways) const {
+std::vector<WayAnswers> Driver::run(const std::vector<std::vector<double>>& sets,
+                                    const std::vector<Way>& ways) const {
   const std::filesystem::path in = folder_->path() / "sets", out = folder_->path() / "answers";
   std::string text;
   for (const std::vector<double>& set : sets) text += fmt::format("{:a}\n", fmt::join(set, " "));
@@ -110,7 +110,7 @@ std::vector<Answers> Driver::run(const std::vector<std::vector<double>>& sets,
   const ProgramResult ran = run_program(command, folder_->path(), answer_limit);
   if (!ran.succeeded()) throw std::runtime_error(failure_words(ran, "the compiled evaluators"));
   std::istringstream stream(read_file(out));
-  std::vector<Answers> result;
+  std::vector<WayAnswers> result;
   for (const Way& way : ways) result.push_back(read_answers(stream, way, sets.size()));
   return result;
 }

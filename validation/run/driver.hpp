@@ -18,7 +18,7 @@ struct Way {
   std::string key, name;
 };
 
-struct Answers {
+struct WayAnswers {
   Way way;
   double nanoseconds = 0;      ///< a value, median of several batches
   std::vector<double> values;  ///< m/s, one a set
@@ -57,12 +57,12 @@ class Driver {
 
   /// Answers of the ways named by `keys`, in their order. Throws std::runtime_error when the
   /// program fails or takes more than a minute.
-  std::vector<Answers> run(const std::vector<std::vector<double>>& sets,
-                           const std::vector<std::string>& keys) const;
+  std::vector<WayAnswers> run(const std::vector<std::vector<double>>& sets,
+                              const std::vector<std::string>& keys) const;
 
  private:
-  std::vector<Answers> run(const std::vector<std::vector<double>>& sets,
-                           const std::vector<Way>& ways) const;
+  std::vector<WayAnswers> run(const std::vector<std::vector<double>>& sets,
+                              const std::vector<Way>& ways) const;
 
   symbolic::Derivation derivation_;
   std::optional<PrivateFolder> folder_;

@@ -13,7 +13,7 @@ namespace vcrit::validation {
 
 namespace {
 
-using symbolic::Piece;
+using symbolic::PrintedPart;
 
 /// C++ with std::complex; parameters are members of `p`.
 class Pasted : public symbolic::Dialect {
@@ -39,9 +39,10 @@ class Pasted : public symbolic::Dialect {
   std::string product(const std::vector<std::string>& factors) const override {
     return factors.empty() ? "1.0" : fmt::format("{}", fmt::join(factors, "*"));
   }
-  Piece fraction(const std::vector<Piece>& over, const std::vector<Piece>& under) const override {
+  PrintedPart fraction(const std::vector<PrintedPart>& over,
+                       const std::vector<PrintedPart>& under) const override {
     return {fmt::format("{}/({})", product(factors(over, false)), product(factors(under, true))),
-            Piece::Tightness::product};
+            PrintedPart::Tightness::product};
   }
   std::string power(const std::string& base, int exponent) const override {
     return fmt::format("power({}, {})", base, exponent);

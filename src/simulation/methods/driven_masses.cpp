@@ -11,8 +11,8 @@ namespace vcrit::simulation::methods {
 namespace {
 
 using Eigen::Index;
-using Wide = linear::Matrix<long double>;
-using WideVector = linear::Vector<long double>;
+using Wide = linear::DenseMatrix<long double>;
+using WideVector = linear::DenseVector<long double>;
 
 Wide matrix_of(const Dense<long double>& numbers) {
   return Wide::NullaryExpr(static_cast<Index>(numbers.rows()),

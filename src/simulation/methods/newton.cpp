@@ -34,7 +34,7 @@ bool Newton::converges() {
 // One more period with less accuracy tells the integrator's error, carried to the steady cycle.
 SteadyState Newton::found() {
   const Period coarse = periods_.run(state_, PeriodAccuracy::coarser);
-  const Vector moved_on = solver_.solve(Vector(periods_.change(state_, coarse) - rest_));
+  const MapVector moved_on = solver_.solve(MapVector(periods_.change(state_, coarse) - rest_));
   const double apart = coarse.deficit - period_.deficit + deficit_by_begin_.dot(moved_on);
   double error = caution * std::abs(apart) + std::abs(deficit_by_begin_.dot(step_));
   if (period_.slides() &&
@@ -43,7 +43,7 @@ SteadyState Newton::found() {
   return answer(std::move(period_), error);
 }
 
-MapState Newton::moved(const Vector& by) const {
+MapState Newton::moved(const MapVector& by) const {
   MapState state = state_;
   for (Eigen::Index i = 0; i < by.size(); ++i) {
     const Eigen::Index variable = variables_[static_cast<std::size_t>(i)];
@@ -58,7 +58,7 @@ void Newton::differentiate() {
   end_by_begin_.resize(n, n);
   deficit_by_begin_.resize(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const Period other = periods_.run(moved(step * Vector::Unit(n, i)));
+    const Period other = periods_.run(moved(step * MapVector::Unit(n, i)));
     end_by_begin_.col(i) = (periods_.change(state_, other) - rest_) / step;
     deficit_by_begin_(i) = (other.deficit - period_.deficit) / step;
   }
@@ -85,7 +85,7 @@ bool Newton::done() const {
 bool Newton::advance() {
   MapState next = moved(step_);
   Period after = periods_.run(next);
-  const Vector left = periods_.change(next, after);
+  const MapVector left = periods_.change(next, after);
   if (after.end.motion != next.motion || (!close() && !(left.norm() < rest_.norm()))) {
     rejected_ = std::move(after.end);
     return false;
@@ -102,7 +102,7 @@ bool Newton::advance() {
 void Newton::update(const Period& after) {
   const double square = step_.squaredNorm();
   if (square == 0) return;
-  const Vector miss = periods_.change(state_, after) - rest_ - end_by_begin_ * step_;
+  const MapVector miss = periods_.change(state_, after) - rest_ - end_by_begin_ * step_;
   const double missed = after.deficit - period_.deficit - deficit_by_begin_.dot(step_);
   end_by_begin_ += miss * step_.transpose() / square;
   deficit_by_begin_ += missed * step_.transpose() / square;

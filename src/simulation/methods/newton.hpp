@@ -21,9 +21,9 @@ class Newton {
   const std::optional<MapState>& rejected() const { return rejected_; }
 
  private:
-  using Vector = Eigen::VectorXd;
+  using MapVector = Eigen::VectorXd;
 
-  MapState moved(const Vector& by) const;
+  MapState moved(const MapVector& by) const;
   void differentiate();
   void solve();
   bool done() const;
@@ -35,12 +35,12 @@ class Newton {
   MapState state_;
   std::vector<Eigen::Index> variables_;
   Period period_;
-  Vector rest_;  ///< what the period changes
+  MapVector rest_;  ///< what the period changes
   // Change of the end of the period and of 1 - mu_macro/mu0 with the variables at its beginning.
   Eigen::MatrixXd end_by_begin_;
   Eigen::RowVectorXd deficit_by_begin_;
   linear::Lu<double> solver_;
-  Vector step_;
+  MapVector step_;
   bool stalled_ = false;
   std::optional<MapState> rejected_;
 };

@@ -98,7 +98,7 @@ void Flow::carry_together(Changes& changes) const {
     std::ranges::fill(contact.column(j), 0.0);
   }
   add_product(all(to_modes), all(y), all(z));
-  const Factors::Passed passed = factors_.passed(all(z));
+  const ModalFactors::Passed passed = factors_.passed(all(z));
   const ConstMatrixView rates = all(phase().levels), states = all(phase().own);
   add_product(rates, passed.once(), levels);
   add_product(rates.first(held.rows), passed.twice(), held);

@@ -16,7 +16,7 @@ class Flow {
   Flow(const Model& model, bool stuck, double duration);
 
   double duration() const { return factors_.duration(); }
-  const Factors& factors() const { return factors_; }
+  const ModalFactors& factors() const { return factors_; }
 
   /// x after the free motion of its modes z: levels by their integrals, own contact states from the
   /// modes, and in stick the units driven by F'. Adds the integrals.
@@ -32,7 +32,7 @@ class Flow {
 
   const Model* model_;
   bool stuck_;
-  Factors factors_;
+  ModalFactors factors_;
   // In stick: each unit on its own, what it takes up from the modes, and the integral of that.
   List<Integrals<double>> units_;
   Matrix unit_answer_, unit_integral_;

@@ -80,12 +80,12 @@ State Piece::after(double duration) const {
   return after(flow(duration), integrals);
 }
 
-std::optional<Piece::Event> Piece::next_event(double horizon) const {
-  const auto before = [&](Motion to, double end) -> std::optional<Event> {
+std::optional<Piece::NextEvent> Piece::next_event(double horizon) const {
+  const auto before = [&](Motion to, double end) -> std::optional<NextEvent> {
     EventFunction f = event_function(to);
     const auto zero = first_zero(f, end, leaving(to));
     if (!zero || *zero >= end) return std::nullopt;
-    return Event{*zero, to};
+    return NextEvent{*zero, to};
   };
   if (start_.motion == Motion::separated) return std::nullopt;
   if (!stuck()) return before(Motion::stick, horizon);

@@ -44,12 +44,12 @@ class Piece {
   State after(const Flow& flow, View integrals) const;
   State after(double duration) const;
 
-  struct Event {
+  struct NextEvent {
     double duration = 0;
     Motion to = Motion::slip;
   };
   /// The first event within `horizon`.
-  std::optional<Event> next_event(double horizon) const;
+  std::optional<NextEvent> next_event(double horizon) const;
 
   /// The function that is negative and reaches 0 where the motion changes into `to`.
   EventFunction event_function(Motion to) const;

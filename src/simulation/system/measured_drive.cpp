@@ -89,7 +89,7 @@ void hold_by_structure(System& system, const Structure& structure, std::optional
 }
 
 void hold_by_table(System& system, const Receptance& table, std::optional<double> mass) {
-  const auto body = mass ? realisation::Body::heavy : realisation::Body::none;
+  const auto body = mass ? realisation::BodyMass::heavy : realisation::BodyMass::none;
   hold_by_structure(system, realisation::realised(table, body)->structure(), mass);
 }
 

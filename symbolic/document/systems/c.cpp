@@ -45,13 +45,13 @@ const Syntax c_syntax{.number = number_in_c,
 
 }  // namespace
 
-extern const System c_language{.name = "c",
-                               .result = "v_star",
-                               .reserved = complex_words,
-                               .has_meaning = has_meaning_in_c,
-                               .spelled = with_index,
-                               .another = with_underscore,
-                               .syntax = &c_syntax,
-                               .escape = in_comment};
+extern const AlgebraSystem c_language{.name = "c",
+                                      .result = "v_star",
+                                      .reserved = complex_words,
+                                      .has_meaning = has_meaning_in_c,
+                                      .spelled = with_index,
+                                      .another = with_underscore,
+                                      .syntax = &c_syntax,
+                                      .escape = in_comment};
 
 }  // namespace vcrit::symbolic

@@ -33,13 +33,13 @@ const Syntax maple_syntax{.number = exact_number,
 
 }  // namespace
 
-extern const System maple{.name = "maple",
-                          .result = "v_star",
-                          .reserved = maple_words,
-                          .has_meaning = has_meaning_in_maple,
-                          .spelled = with_index,
-                          .another = with_underscore,
-                          .syntax = &maple_syntax,
-                          .escape = in_comment};
+extern const AlgebraSystem maple{.name = "maple",
+                                 .result = "v_star",
+                                 .reserved = maple_words,
+                                 .has_meaning = has_meaning_in_maple,
+                                 .spelled = with_index,
+                                 .another = with_underscore,
+                                 .syntax = &maple_syntax,
+                                 .escape = in_comment};
 
 }  // namespace vcrit::symbolic

@@ -54,12 +54,12 @@ const Syntax mathematica_syntax{.number = exact_number,
 
 }  // namespace
 
-extern const System mathematica{.name = "mathematica",
-                                .result = "vStar",
-                                .has_meaning = has_meaning_in_mathematica,
-                                .spelled = spelled_in_mathematica,
-                                .another = another_in_mathematica,
-                                .syntax = &mathematica_syntax,
-                                .escape = in_comment};
+extern const AlgebraSystem mathematica{.name = "mathematica",
+                                       .result = "vStar",
+                                       .has_meaning = has_meaning_in_mathematica,
+                                       .spelled = spelled_in_mathematica,
+                                       .another = another_in_mathematica,
+                                       .syntax = &mathematica_syntax,
+                                       .escape = in_comment};
 
 }  // namespace vcrit::symbolic

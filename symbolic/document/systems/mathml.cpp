@@ -25,10 +25,10 @@ std::string in_xml(std::string_view text) {
 
 }  // namespace
 
-extern const System mathml{.name = "mathml",
-                           .result = "v*",
-                           .spelled = with_index,
-                           .another = with_underscore,
-                           .escape = in_xml};
+extern const AlgebraSystem mathml{.name = "mathml",
+                                  .result = "v*",
+                                  .spelled = with_index,
+                                  .another = with_underscore,
+                                  .escape = in_xml};
 
 }  // namespace vcrit::symbolic

@@ -78,12 +78,12 @@ const Syntax maxima_syntax{.number = exact_number,
 
 }  // namespace
 
-extern const System maxima{.name = "maxima",
-                           .result = "v_star",
-                           .reserved = maxima_words,
-                           .spelled = with_index,
-                           .another = with_underscore,
-                           .syntax = &maxima_syntax,
-                           .escape = in_comment};
+extern const AlgebraSystem maxima{.name = "maxima",
+                                  .result = "v_star",
+                                  .reserved = maxima_words,
+                                  .spelled = with_index,
+                                  .another = with_underscore,
+                                  .syntax = &maxima_syntax,
+                                  .escape = in_comment};
 
 }  // namespace vcrit::symbolic

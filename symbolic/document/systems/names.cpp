@@ -16,7 +16,7 @@ namespace {
 /// Which names are still free.
 class FreeNames {
  public:
-  explicit FreeNames(const System& system) : system_(system) {
+  explicit FreeNames(const AlgebraSystem& system) : system_(system) {
     std::istringstream words{std::string(system.reserved)};
     for (std::string word; words >> word;) taken_.insert(word);
     taken_.emplace(system.result);
@@ -28,13 +28,13 @@ class FreeNames {
   }
 
  private:
-  const System& system_;
+  const AlgebraSystem& system_;
   std::unordered_set<std::string> taken_;
 };
 
 }  // namespace
 
-SystemNames::SystemNames(const System& system, const TakenFormula& formula) {
+SystemNames::SystemNames(const AlgebraSystem& system, const TakenFormula& formula) {
   std::vector<std::string> symbols;
   for (const TakenParameter& each : formula.parameters) symbols.push_back(each.symbol);
   for (const TakenDefinition& each : formula.definitions) symbols.push_back(each.symbol);

@@ -9,13 +9,13 @@
 
 namespace vcrit::symbolic {
 
-struct System;
+struct AlgebraSystem;
 
 class SystemNames {
  public:
   /// What the system can call as the scene and our own formulas do stays so; the others get names
   /// after these.
-  SystemNames(const System& system, const TakenFormula& formula);
+  SystemNames(const AlgebraSystem& system, const TakenFormula& formula);
   const std::string& of(const std::string& symbol) const { return names_.at(symbol); }
 
  private:

@@ -154,12 +154,12 @@ const Syntax sympy_syntax{.number = sympy_number,
 
 }  // namespace
 
-extern const System sympy{.name = "sympy",
-                          .result = "v_star",
-                          .reserved = sympy_words,
-                          .spelled = with_index,
-                          .another = with_underscore,
-                          .syntax = &sympy_syntax,
-                          .escape = in_comment};
+extern const AlgebraSystem sympy{.name = "sympy",
+                                 .result = "v_star",
+                                 .reserved = sympy_words,
+                                 .spelled = with_index,
+                                 .another = with_underscore,
+                                 .syntax = &sympy_syntax,
+                                 .escape = in_comment};
 
 }  // namespace vcrit::symbolic

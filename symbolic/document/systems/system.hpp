@@ -25,7 +25,7 @@ struct Syntax {
   bool power_of_complex = true;  ///< else such powers are written as products
 };
 
-struct System {
+struct AlgebraSystem {
   std::string_view name;    ///< of --format
   std::string_view result;  ///< what v* is called there
   /// Names that it has a meaning for, or that its reader would expect one of, as words; and others.
@@ -42,7 +42,7 @@ struct System {
 };
 
 /// In the order of --format.
-const std::vector<const System*>& systems();
+const std::vector<const AlgebraSystem*>& systems();
 
 /// "k_1" for "k[1]"; "K_n_loss" for K_n'', and "K_n_storage".
 std::string with_index(const std::string& name);

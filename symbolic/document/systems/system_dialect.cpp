@@ -34,13 +34,13 @@ std::string SystemDialect::product(const std::vector<std::string>& factors) cons
 }
 
 // Of two natural numbers one, as where they would be divided without the system.
-Piece SystemDialect::fraction(const std::vector<Piece>& over,
-                              const std::vector<Piece>& under) const {
+PrintedPart SystemDialect::fraction(const std::vector<PrintedPart>& over,
+                                    const std::vector<PrintedPart>& under) const {
   const std::string above = product(factors(over, false)), below = product(factors(under, true));
   if (is_whole(above) && is_whole(below))
-    return {number(above + "/" + below), Piece::Tightness::product};
-  const bool lone = under.size() == 1 && under[0].tightness == Piece::Tightness::atom;
-  return {above + "/" + (lone ? below : wrapped(below)), Piece::Tightness::product};
+    return {number(above + "/" + below), PrintedPart::Tightness::product};
+  const bool lone = under.size() == 1 && under[0].tightness == PrintedPart::Tightness::atom;
+  return {above + "/" + (lone ? below : wrapped(below)), PrintedPart::Tightness::product};
 }
 
 std::string SystemDialect::power(const std::string& base, int exponent) const {

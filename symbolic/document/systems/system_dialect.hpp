@@ -18,7 +18,8 @@ class SystemDialect : public Dialect {
   std::string negative(const std::string& term) const override { return "-" + term; }
   std::string added(const std::string& left, bool minus, const std::string& right) const override;
   std::string product(const std::vector<std::string>& factors) const override;
-  Piece fraction(const std::vector<Piece>& over, const std::vector<Piece>& under) const override;
+  PrintedPart fraction(const std::vector<PrintedPart>& over,
+                       const std::vector<PrintedPart>& under) const override;
   std::string power(const std::string& base, int exponent) const override;
   std::string root(const std::string& argument) const override;
   std::string call(const std::string& function, const std::string& argument) const override;

@@ -20,7 +20,7 @@ extern "C" const char vcrit_system_templates[], vcrit_system_templates_end[];
 
 namespace vcrit::symbolic {
 
-extern const System sympy, mathematica, maple, maxima, mathml, c_language;
+extern const AlgebraSystem sympy, mathematica, maple, maxima, mathml, c_language;
 
 namespace {
 
@@ -46,10 +46,10 @@ Form typed(Form form, const Syntax& syntax, const std::vector<std::string>& comp
 /// Symbols and formulas of one document as the system writes them.
 class Writer {
  public:
-  Writer(const System& system, const TakenFormula& formula)
+  Writer(const AlgebraSystem& system, const TakenFormula& formula)
       : system_(system), names_(system, formula) {
     for (const TakenParameter& each : formula.parameters)
-      if (each.range == TakenParameter::Range::complex) complex_.push_back(each.symbol);
+      if (each.range == TakenParameter::Domain::complex) complex_.push_back(each.symbol);
     for (const TakenDefinition& each : formula.definitions)
       if (each.complex) complex_.push_back(each.symbol);
   }
@@ -67,20 +67,20 @@ class Writer {
   bool any_complex() const { return !complex_.empty(); }
 
  private:
-  const System& system_;
+  const AlgebraSystem& system_;
   SystemNames names_;
   std::vector<std::string> complex_;
 };
 
 Json parameter_record(const TakenParameter& parameter, const Writer& writer) {
-  using Range = TakenParameter::Range;
+  using Domain = TakenParameter::Domain;
   const record::Markup symbol = writer.symbol(parameter.symbol);
   const std::string scene = printed_name(parameter.symbol);
   Fields f(record::Reader::page);
   f("symbol", symbol)("scene", scene)("changed", symbol.text != scene);
   f("meaning", parameter.meaning)("unit", parameter.unit);
-  f("positive", parameter.range == Range::positive)("poisson", parameter.range == Range::poisson)(
-      "complex", parameter.range == Range::complex);
+  f("positive", parameter.range == Domain::positive)("poisson", parameter.range == Domain::poisson)(
+      "complex", parameter.range == Domain::complex);
   return f.take();
 }
 
@@ -91,7 +91,7 @@ Json definition_record(const TakenDefinition& definition, const Writer& writer) 
   return f.take();
 }
 
-Json formula_record(const System& system, const Problem& problem, const Findings& findings) {
+Json formula_record(const AlgebraSystem& system, const Problem& problem, const Findings& findings) {
   const TakenFormula formula = taken_formula(problem, findings);
   const Writer writer(system, formula);
   Json parameters = Json::array(), definitions = Json::array();
@@ -107,8 +107,8 @@ Json formula_record(const System& system, const Problem& problem, const Findings
   return f.take();
 }
 
-const System& system_of(const std::string& name) {
-  for (const System* system : systems())
+const AlgebraSystem& system_of(const std::string& name) {
+  for (const AlgebraSystem* system : systems())
     if (system->name == name) return *system;
   throw InputError(argument("format"), '"' + name + '"',
                    fmt::format("one of {}", fmt::join(system_names(), ", ")));
@@ -116,16 +116,16 @@ const System& system_of(const std::string& name) {
 
 }  // namespace
 
-const std::vector<const System*>& systems() {
-  static const std::vector<const System*> all{&sympy,  &mathematica, &maple,
-                                              &maxima, &mathml,      &c_language};
+const std::vector<const AlgebraSystem*>& systems() {
+  static const std::vector<const AlgebraSystem*> all{&sympy,  &mathematica, &maple,
+                                                     &maxima, &mathml,      &c_language};
   return all;
 }
 
 const std::vector<std::string>& system_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
-    for (const System* system : systems()) all.emplace_back(system->name);
+    for (const AlgebraSystem* system : systems()) all.emplace_back(system->name);
     return all;
   }();
   return names;
@@ -147,7 +147,7 @@ std::string in_comment(std::string_view text) {
 
 std::string system_document(const std::string& name, const Problem& problem,
                             const Findings& findings) {
-  const System& system = system_of(name);
+  const AlgebraSystem& system = system_of(name);
   const record::Templates templates(
       {vcrit_system_templates,
        static_cast<std::size_t>(vcrit_system_templates_end - vcrit_system_templates)},

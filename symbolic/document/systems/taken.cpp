@@ -162,17 +162,17 @@ std::vector<TakenParameter> parameters_of(const Problem& problem, std::set<std::
   if (isotropic != nullptr) order.push_back(isotropic->quantity.symbol);
   for (const auto& [symbol, value] : problem->elements) order.push_back(symbol);
   const std::map<Symbol, Meaning> meanings = meanings_of(problem);
-  using Range = TakenParameter::Range;
+  using Domain = TakenParameter::Domain;
   std::vector<TakenParameter> result;
   for (const Symbol& symbol : order) {
     const std::string name = to_text(symbol);
     if (names.erase(name) == 0) continue;
     const Meaning& meaning = meanings.at(symbol);
-    result.push_back({name, name == poisson ? Range::poisson : Range::positive, meaning.words,
+    result.push_back({name, name == poisson ? Domain::poisson : Domain::positive, meaning.words,
                       si_unit(meaning.dimension)});
   }
   if (names.erase(own_name("R_d")) == 1)
-    result.push_back({own_name("R_d"), Range::complex,
+    result.push_back({own_name("R_d"), Domain::complex,
                       "receptance of the drive at omega, complex, from its table", "m/N"});
   ensure(names.empty(), "a formula has parameters and definitions, and no other names");
   return result;

@@ -13,13 +13,13 @@ namespace vcrit::symbolic {
 
 /// A symbol that has its value from outside.
 struct TakenParameter {
-  enum class Range {
+  enum class Domain {
     positive,
     poisson,  ///< above -1, at most 1/2
     complex   ///< a measured receptance
   };
   std::string symbol;  ///< its name within the program, as Form::text
-  Range range = Range::positive;
+  Domain range = Domain::positive;
   std::string meaning, unit;  ///< "spring", "N/m"
 };
 

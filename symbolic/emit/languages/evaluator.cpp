@@ -32,11 +32,11 @@ Evaluator::Evaluator(const Derivation& derivation_, const GenerateOptions& optio
   operations = program.operations(program.needed_for({gradient.ratio, velocity.factor})) + 2;
 }
 
-Body body(const Evaluator& evaluator, const CallDialect& dialect) {
+FunctionBody body(const Evaluator& evaluator, const CallDialect& dialect) {
   const VelocityProgram& velocity = evaluator.velocity;
   const GradientProgram& gradient = evaluator.gradient;
   StraightLine code(gradient.program, dialect);
-  Body result;
+  FunctionBody result;
   result.value =
       code.declare({velocity.above, velocity.below, velocity.factor, velocity.roundings});
   result.above = dialect.number(code.expression(velocity.above));

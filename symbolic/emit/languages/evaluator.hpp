@@ -32,14 +32,14 @@ struct Evaluator {
 };
 
 /// Declarations that lead to v*, then those that lead from there to its derivatives.
-struct Body {
+struct FunctionBody {
   std::vector<StraightLine::Declarations> value, gradient;
   std::string above, below, factor;   ///< of the grade's number type
   std::string roundings;              ///< of its type of bounds
   std::vector<std::string> partials;  ///< doubles, in the order of the parameters' entries
 };
 
-Body body(const Evaluator& evaluator, const CallDialect& dialect);
+FunctionBody body(const Evaluator& evaluator, const CallDialect& dialect);
 
 /// "within(L, a) && within(L, b)" with `never` where no values are in range.
 std::string in_range(const Evaluator& evaluator, const Spelling& spelling,

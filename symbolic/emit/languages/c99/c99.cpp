@@ -60,7 +60,7 @@ class C99 {
 
   std::string evaluate(CallGrade grade) const {
     const CallDialect dialect(evaluator_.parameters, grade, spelling_);
-    const Body code = body(evaluator_, dialect);
+    const FunctionBody code = body(evaluator_, dialect);
     const std::string kind = grade == CallGrade::accurate ? "dd"
                              : grade == CallGrade::fast   ? "plain"
                                                           : "wide";

@@ -38,7 +38,7 @@ std::string object(const ParameterList& parameters, const std::vector<std::strin
 std::string javascript_evaluation(const Evaluator& evaluator, CallGrade grade,
                                   const Spelling& spelling) {
   const CallDialect dialect(evaluator.parameters, grade, spelling);
-  const Body code = body(evaluator, dialect);
+  const FunctionBody code = body(evaluator, dialect);
   const std::string kind = grade == CallGrade::accurate ? "dd" : "plain";
   std::string out = fmt::format("const {}_evaluate = (p, gradient) => {{\n", kind);
   out += statements(code.value, dialect);

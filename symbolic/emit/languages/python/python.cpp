@@ -86,7 +86,7 @@ std::string conversions(const ParameterList& parameters) {
 std::string python_evaluation(const Evaluator& evaluator, CallGrade grade,
                               const Spelling& spelling) {
   const CallDialect dialect(evaluator.parameters, grade, spelling);
-  const Body code = body(evaluator, dialect);
+  const FunctionBody code = body(evaluator, dialect);
   const std::string kind = grade == CallGrade::accurate ? "dd" : "plain";
   return fmt::format("\n\ndef _{}_evaluate(p, gradient):\n", kind) + python_lines(code.value) +
          fmt::format("    r = _{}_finished({}, {}, {}, {}, _in_range(p))\n", kind, code.above,

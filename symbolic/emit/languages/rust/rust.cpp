@@ -66,7 +66,7 @@ std::string rust_allowed(const Evaluator& evaluator) {
 
 std::string rust_evaluation(const Evaluator& evaluator, CallGrade grade, const Spelling& spelling) {
   const CallDialect dialect(evaluator.parameters, grade, spelling);
-  const Body code = body(evaluator, dialect);
+  const FunctionBody code = body(evaluator, dialect);
   const std::string kind = grade == CallGrade::accurate ? "dd"
                            : grade == CallGrade::fast   ? "plain"
                                                         : "wide";
