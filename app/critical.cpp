@@ -17,6 +17,7 @@
 #include "indenter/friction.hpp"
 #include "options.hpp"
 #include "record/fields.hpp"
+#include "rules/kinds.hpp"
 #include "rules/rulebook.hpp"
 #include "simulation/steady/onset.hpp"
 
@@ -134,7 +135,8 @@ CriticalComparison of_one_contact(const Problem& problem) {
 
 CriticalComparison compared(const Problem& problem) {
   rules::require(rules::Question::comparison, problem);
-  CriticalComparison result = problem->indenter ? below_indenter(problem) : of_one_contact(problem);
+  CriticalComparison result =
+      rules::cells_move(problem) ? below_indenter(problem) : of_one_contact(problem);
   result.warnings = problem->source->warnings;
   return result;
 }

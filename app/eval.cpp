@@ -21,6 +21,7 @@
 #include "facts/facts.hpp"
 #include "options.hpp"
 #include "record/fields.hpp"
+#include "rules/kinds.hpp"
 #include "streams.hpp"
 
 namespace vcrit::app {
@@ -76,7 +77,8 @@ Evaluation evaluated(const Problem& problem) {
                     effect_of(problem, critical),
                     under_load(problem),
                     below_mount(problem)};
-  if (problem->separation) result.opens = opens(problem);
+  const rules::Facts facts(problem);
+  if (facts.is(rules::SceneKind::separating)) result.opens = facts.opens();
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include "answers/effect_words.hpp"
 #include "base/errors.hpp"
 #include "options.hpp"
+#include "rules/kinds.hpp"
 
 namespace vcrit::app {
 
@@ -81,7 +82,7 @@ void print_friction(const Problem& problem, const Speed& speed, const FrictionFo
   print_row("mean normal force", rounded(found.mean_normal_force, "N", digits));
   print_row("coefficient", fmt::format("{} (mu0 = {})", rounded(found.ratio * mu0, "", left),
                                        rounded(mu0, "", digits)));
-  print_row("motion", regime_words(found.regime, problem->indenter.has_value()));
+  print_row("motion", regime_words(found.regime, rules::cells_move(problem)));
 }
 
 }  // namespace vcrit::app

@@ -16,6 +16,7 @@
 #include "options.hpp"
 #include "record/fields.hpp"
 #include "report/records.hpp"
+#include "rules/kinds.hpp"
 #include "rules/rulebook.hpp"
 #include "simulate_indenter.hpp"
 #include "simulation/steady/energy.hpp"
@@ -239,7 +240,7 @@ void simulate_below_indenter(const SimulateOptions& options, const Problem& prob
 
 void simulate(const SimulateOptions& options) {
   const Problem problem = options.scene.read();
-  if (problem->indenter) return simulate_below_indenter(options, problem);
+  if (rules::cells_move(problem)) return simulate_below_indenter(options, problem);
   const simulation::System system = simulation::system_of(problem);
   const SimulationAnswer answer = answer_of(options, problem, system);
   if (options.json)

@@ -15,6 +15,7 @@
 #include "options.hpp"
 #include "problem/variants.hpp"
 #include "record/fields.hpp"
+#include "rules/kinds.hpp"
 #include "streams.hpp"
 
 namespace vcrit::app {
@@ -157,7 +158,7 @@ void print_solve_text(const DesignQuestion& question, const DesignAnswer& answer
   print_row("sliding speed",
             fmt::format("{}, {} times v*", rounded(answer.velocity, "m/s", digits),
                         rounded(answer.velocity / answer.critical_velocity, "", digits)));
-  print_row("contact closed", closed_words(answer, question.problem->indenter.has_value(), digits));
+  print_row("contact closed", closed_words(answer, rules::cells_move(question.problem), digits));
   const std::string from = in_unit(answer.from, digits), to = in_unit(answer.to, digits);
   if (answer.monotonic)
     print_row("searched", fmt::format("{} to {}; below an indenter friction never falls with the "

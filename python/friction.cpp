@@ -16,6 +16,7 @@
 #include "base/units.hpp"
 #include "bindings.hpp"
 #include "interrupt.hpp"
+#include "rules/kinds.hpp"
 #include "rules/rulebook.hpp"
 #include "simulation/methods/methods.hpp"
 #include "simulation/steady/energy.hpp"
@@ -96,7 +97,7 @@ py::tuple simulate(const Problem& problem, double velocity, const std::string& m
 // Drive, friction, dampers, error.
 std::optional<std::tuple<double, double, double, double>> energy(const Problem& problem,
                                                                  double velocity) {
-  if (problem->indenter) return std::nullopt;
+  if (rules::cells_move(problem)) return std::nullopt;
   const OthersRun others_run;
   const auto balance = simulation::energy_balance(simulation::system_of(problem), velocity);
   if (!balance) return std::nullopt;

@@ -22,6 +22,7 @@
 #include "network/masses.hpp"
 #include "problem/variants.hpp"
 #include "problem/variation.hpp"
+#include "rules/kinds.hpp"
 #include "rules/rulebook.hpp"
 #include "simulation/steady/onset.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
@@ -92,7 +93,7 @@ CriticalOnset by_formula(const Problem& problem) {
 }
 
 simulation::Onset sliding_threshold(const Problem& problem, simulation::KnownModes* known) {
-  if (problem->indenter) return indenter::sliding_threshold(indenter::HalfSpace(problem));
+  if (rules::cells_move(problem)) return indenter::sliding_threshold(indenter::HalfSpace(problem));
   simulation::System system = simulation::system_of(problem);
   system.known_modes = known;
   return simulation::sliding_threshold(system);
@@ -101,7 +102,7 @@ simulation::Onset sliding_threshold(const Problem& problem, simulation::KnownMod
 // As quickly as it is found: below a measured drive without the error of the fit.
 CriticalOnset by_simulation(const Problem& problem, simulation::KnownModes* known = nullptr) {
   const simulation::Onset onset = sliding_threshold(problem, known);
-  const bool by_phase = problem->indenter && !problem->rigid();
+  const bool by_phase = rules::cells_move_one_another(problem);
   CriticalOnset result{
       by_phase ? CriticalOnset::By::maximum_over_the_phase : CriticalOnset::By::simulation,
       onset.contact_velocity,
@@ -217,7 +218,7 @@ double onset_log_derivative(const Problem& problem, const Symbol& symbol) {
   check_symbol(problem, symbol);
   if (holds_formula(problem)) return log_derivative(problem, symbol);
   const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
-  const bool held = problem->indenter && !problem->rigid();  // a half-space has no other ratio
+  const bool held = rules::cells_move_one_another(problem);  // a half-space has no other ratio
   if (isotropic != nullptr && isotropic->by == Isotropic::By::poisson && !held &&
       isotropic->quantity.symbol == symbol)
     return poisson_log_derivative(problem, *isotropic);

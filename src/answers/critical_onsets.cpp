@@ -13,6 +13,7 @@
 #include "critical/columns.hpp"
 #include "modes/general_modes.hpp"
 #include "problem/variation.hpp"
+#include "rules/kinds.hpp"
 #include "rules/rulebook.hpp"
 
 namespace vcrit {
@@ -108,7 +109,8 @@ CriticalOnsets::CriticalOnsets(const Problem& problem, std::vector<std::string> 
     : problem_(problem), names_(varying), formula_(problem, std::move(varying), grade) {}
 
 void CriticalOnsets::operator()(Columns columns, std::span<double> out) const {
-  if (!problem_->separation && rules::answer(rules::Question::derivation, problem_))
+  if (!rules::Facts(problem_).is(rules::SceneKind::separating) &&
+      rules::answer(rules::Question::derivation, problem_))
     return formula_(columns, out);
   check_columns(names_, columns, out.size());
   Lanes lanes(*this, columns);

@@ -14,6 +14,7 @@
 #include "normal/pressed_cells.hpp"
 #include "problem/variants.hpp"
 #include "record/fields.hpp"
+#include "rules/kinds.hpp"
 #include "rules/rulebook.hpp"
 #include "simulation/steady/normal_force.hpp"
 
@@ -21,14 +22,11 @@ namespace vcrit {
 
 namespace {
 
+using rules::cells_move;
 using rules::Question;
 
 // The search for the depth at the largest amplitude begins at this share of that at rest.
 constexpr double least_share = 1e-3;
-
-bool cells_move(const Problem& problem) {
-  return rules::motion_question(problem) == Question::motion_below_indenter;
-}
 
 // Below an indenter u_z0 falls as the amplitude grows, since a rim that opens does not pull. At the
 // border the pressure at the centre just touches zero, so that du_z is a share of u_z0 that the
@@ -103,7 +101,7 @@ void operating_point_of(const Problem& problem, Effect& effect) {
   effect.friction_coefficient = problem.value(problem->coefficient);
   effect.below_indenter = cells_move(problem);
   effect.largest_closed_amplitude = largest_closed_amplitude(problem);
-  effect.opens = problem->separation && opens(problem);
+  effect.opens = rules::Facts(problem).loses_contact();
 }
 
 void velocities_of(const CriticalOnset& onset, Effect& effect) {

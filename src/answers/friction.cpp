@@ -1,6 +1,7 @@
 #include "answers/friction.hpp"
 
 #include "indenter/friction.hpp"
+#include "rules/kinds.hpp"
 
 namespace vcrit {
 
@@ -9,7 +10,7 @@ namespace {
 std::variant<simulation::System, indenter::HalfSpace> motion_of(const Problem& problem,
                                                                 simulation::SharedEffort* effort,
                                                                 simulation::KnownModes* known) {
-  if (problem->indenter) {
+  if (rules::cells_move(problem)) {
     indenter::HalfSpace half_space(problem);
     return effort != nullptr ? half_space.within(*effort) : half_space;
   }

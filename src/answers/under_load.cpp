@@ -4,6 +4,7 @@
 #include "normal/mount.hpp"
 #include "normal/pressed_cells.hpp"
 #include "record/fields.hpp"
+#include "rules/kinds.hpp"
 #include "rules/rulebook.hpp"
 #include "simulation/steady/normal_force.hpp"
 #include "stiffness/at_rest.hpp"
@@ -23,7 +24,7 @@ namespace {
 
 // The force of a contact that opens has harmonics, which move the place below a mount as well.
 bool swings_with_harmonics(const Problem& problem) {
-  return problem->mount && problem->separation && rules::Facts(problem).opens();
+  return problem->mount && rules::Facts(problem).loses_contact();
 }
 
 }  // namespace
@@ -64,12 +65,12 @@ std::optional<UnderLoad> under_load(const Problem& problem) {
 
 double mean_normal_force_of(const Problem& problem) {
   if (problem->load) return problem.value(*problem->load);
-  if (problem->indenter) {
+  if (rules::cells_move(problem)) {
     rules::require(rules::Question::motion_below_indenter, problem);
     return simulation::mean_force_of_cells(problem);
   }
   const rules::Facts facts(problem);
-  if (!problem->separation || !facts.opens()) return static_cast<double>(facts.mean_force());
+  if (!facts.loses_contact()) return static_cast<double>(facts.mean_force());
   return simulation::mean_normal_force(simulation::system_of(problem));
 }
 

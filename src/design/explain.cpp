@@ -10,6 +10,7 @@
 #include "base/rounded.hpp"
 #include "critical/admissibility.hpp"
 #include "design/rows_below_indenter.hpp"
+#include "rules/kinds.hpp"
 
 namespace vcrit::design {
 
@@ -37,7 +38,7 @@ std::string speed_words(const DesignQuestion& question) {
   return rounded(question.velocity, "m/s");
 }
 
-bool below_indenter(const Failure& f) { return f.question.problem->indenter.has_value(); }
+bool below_indenter(const Failure& f) { return rules::cells_move(f.question.problem); }
 
 const char* pressed_by(const Failure& f) {
   return f.question.problem->load ? "load" : "indentation";

@@ -13,6 +13,7 @@
 #include "normal/mount.hpp"
 #include "normal/pressed_cells.hpp"
 #include "problem/variants.hpp"
+#include "rules/kinds.hpp"
 #include "rules/rulebook.hpp"
 
 namespace vcrit::design {
@@ -85,7 +86,9 @@ std::optional<double> NormalContact::largest_angular_frequency(double amplitude)
                       .first);
 }
 
-bool NormalContact::pressed_tip() const { return problem_->load && problem_->indenter; }
+bool NormalContact::pressed_tip() const {
+  return rules::Facts(problem_).depth_falls_with_amplitude();
+}
 
 // The depth under the load depends on the frequency, too, as the rim opens. |E| never falls.
 std::optional<double> NormalContact::largest_of_pressed_tip(double amplitude) const {

@@ -13,6 +13,7 @@
 #include "design/rows_below_indenter.hpp"
 #include "normal/mount.hpp"
 #include "problem/variants.hpp"
+#include "rules/kinds.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 
 namespace vcrit::design {
@@ -147,7 +148,7 @@ std::vector<double> falling_speeds(double to, double end, int samples) {
 constexpr double room_for_ringing = 2;
 
 double most_force(const DesignQuestion& question, double least) {
-  if (question.problem->indenter) return largest_force(question, least);
+  if (rules::cells_move(question.problem)) return largest_force(question, least);
   return room_for_ringing * least / (1 - question.friction_ratio);
 }
 
@@ -185,7 +186,7 @@ SearchRange velocities(const DesignQuestion& question) {
   range.largest_velocity = range.largest_at = limit;
   if (range.from < limit) refuse_empty(question, range.from, range.to);
   if (!(range.from < range.to)) return range;
-  if (question.problem->indenter) {
+  if (rules::cells_move(question.problem)) {
     range.from = std::max(range.from, slowest * range.to);
     add_velocity_rows(question, range);
     return range;

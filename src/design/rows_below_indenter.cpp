@@ -7,6 +7,7 @@
 #include "design/places.hpp"
 #include "indenter/friction.hpp"
 #include "indenter/half_space.hpp"
+#include "rules/kinds.hpp"
 
 namespace vcrit::design {
 
@@ -30,7 +31,7 @@ double most_reduction(const Problem& problem) {
 
 }  // namespace
 
-bool finds_each_onset(const Problem& problem) { return problem->indenter && !problem->rigid(); }
+bool finds_each_onset(const Problem& problem) { return rules::cells_move_one_another(problem); }
 
 void add_amplitude_rows(const DesignQuestion& question, SearchRange& range) {
   const double first = range.from > 0 ? range.from : smallest_amplitude * range.to;

@@ -15,6 +15,7 @@
 #include "design/opening.hpp"
 #include "design/range.hpp"
 #include "modes/general_modes.hpp"
+#include "rules/kinds.hpp"
 #include "rules/rulebook.hpp"
 
 namespace vcrit::design {
@@ -74,7 +75,7 @@ class Solving {
       const Problem there = with_load(question_.problem, 1);
       const double least = contact_.least_force(there.value(there->amplitude),
                                                 there.value(there->angular_frequency));
-      SteadyFriction{with_load(there, there->indenter ? 2 * least : 1 + 2 * least)};
+      SteadyFriction{with_load(there, rules::cells_move(there) ? 2 * least : 1 + 2 * least)};
     } else {
       const double omega = question_.problem->angular_frequency.value.value_or(1);
       const Problem there = with_angular_frequency(question_.problem, omega);
@@ -85,8 +86,9 @@ class Solving {
   }
 
   static std::size_t effort_of(const DesignQuestion& question) {
-    return question.effort.value_or(question.problem->indenter ? simulation::effort_of_cells
-                                                               : simulation::effort_of_answer);
+    return question.effort.value_or(rules::cells_move(question.problem)
+                                        ? simulation::effort_of_cells
+                                        : simulation::effort_of_answer);
   }
 
   /// With a value of what is sought, as it is searched for.
@@ -141,7 +143,7 @@ class Solving {
   }
 
   int samples() const {
-    if (!question_.problem->indenter) return samples_of(question_);
+    if (!rules::cells_move(question_.problem)) return samples_of(question_);
     std::size_t all = 0;
     for (const std::vector<double>& row : range_.rows) all += row.size();
     return static_cast<int>(all);
@@ -228,8 +230,8 @@ Dimension dimension_of(Sought sought) {
 }
 
 int samples_of(const DesignQuestion& question) {
-  return question.samples.value_or(question.problem->indenter ? usual_samples_below_indenter
-                                                              : usual_samples);
+  return question.samples.value_or(
+      rules::cells_move(question.problem) ? usual_samples_below_indenter : usual_samples);
 }
 
 bool is_largest(Sought sought) { return sought == Sought::force || sought == Sought::velocity; }

@@ -28,8 +28,6 @@ bool isotropic(const Problem& problem) {
   return std::holds_alternative<Isotropic>(problem->tangential);
 }
 
-bool indenter_on_drive(const Problem& problem) { return problem->indenter && !problem->rigid(); }
-
 // A path without mass, damper and branches: the contact velocity is v0 less the rate of the
 // friction bound over a stiffness, and the bound is steepest where the closed contact has it; as
 // long as it is closed there, which no load makes sure of: its indentation may be below 0.
@@ -54,7 +52,7 @@ bool follows_without_memory(const Problem& problem) {
 // rulebook refuses those, so they are neither kind of separation.
 bool parts_with_a_motion(const Problem& problem) {
   return problem->separation && !(problem->mount && (problem->mount_mass || !problem->load)) &&
-         !indenter_on_drive(problem);
+         !cells_move_one_another(problem);
 }
 
 bool all_springs(const ReducedNetwork& network) {
@@ -142,9 +140,9 @@ bool Facts::is(SceneKind kind) const {
     case SceneKind::lossy_spring:
       return has_lossy_spring(problem_);
     case SceneKind::indenter:
-      return problem_->indenter.has_value();
+      return cells_move(problem_);
     case SceneKind::no_indenter:
-      return !problem_->indenter;
+      return !cells_move(problem_);
     case SceneKind::separating:
       return separating;
     case SceneKind::separating_without_memory:
@@ -191,10 +189,10 @@ bool Facts::is(SceneKind kind) const {
     case SceneKind::separating_with_mass:
       return separating && problem_->mount && problem_->mount_mass;
     case SceneKind::indenter_on_drive:
-      return indenter_on_drive(problem_);
+      return cells_move_one_another(problem_);
     case SceneKind::viscoelastic_indenter_on_drive:
-      return indenter_on_drive(problem_) && problem_->indenter->shape != Indenter::Shape::flat &&
-             !all_springs(problem_->normal);
+      return cells_move_one_another(problem_) &&
+             problem_->indenter->shape != Indenter::Shape::flat && !all_springs(problem_->normal);
     case SceneKind::measured_contact:
       return !problem_->measured.empty();
   }
@@ -241,5 +239,13 @@ long double Facts::oscillating_force() const {
                    contact_amplitude(problem_);
   return *oscillating_;
 }
+
+bool cells_move(const Problem& problem) { return problem->indenter.has_value(); }
+
+bool cells_move_one_another(const Problem& problem) {
+  return cells_move(problem) && !problem->rigid();
+}
+
+bool may_open(const Problem& problem) { return problem->separation || cells_move(problem); }
 
 }  // namespace vcrit::rules

@@ -64,6 +64,8 @@ class Facts {
   /// Whether the normal force would pull for a part of the period; below an indenter the pressure
   /// at its centre.
   bool opens() const { return oscillating_force() > mean_force(); }
+  /// Whether the contact opens in each period of a scene that lets it.
+  bool loses_contact() const { return is(SceneKind::separating) && opens(); }
   /// Whether u_z0 falls as the amplitude grows, since the rim of an indenter that a load presses
   /// opens and does not pull.
   bool depth_falls_with_amplitude() const;
@@ -76,5 +78,13 @@ class Facts {
   Problem problem_;
   mutable std::optional<long double> static_stiffness_, oscillating_;
 };
+
+/// Whether the cells of a half-space move below an indenter, not one contact.
+bool cells_move(const Problem& problem);
+/// The same on a drive that gives, through which they move one another.
+bool cells_move_one_another(const Problem& problem);
+/// Whether some motion that is asked for has a contact that opens: that of a scene that lets it, or
+/// of cells at the edge of an indenter.
+bool may_open(const Problem& problem);
 
 }  // namespace vcrit::rules

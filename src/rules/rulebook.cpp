@@ -37,7 +37,7 @@ std::string what_keeps_it_closed(const Facts& facts) {
 /// What makes the mean force of a closed contact.
 std::string load_words(const Problem& problem) {
   const std::string name = name_in(problem, pressing(problem));
-  return problem->load && !problem->indenter ? name : "K_n(0) " + name;
+  return problem->load && !cells_move(problem) ? name : "K_n(0) " + name;
 }
 
 std::string filled(const std::string& pattern, const Facts& facts) {
@@ -89,7 +89,7 @@ Answer answer(Question question, const Problem& problem) {
 }
 
 Question motion_question(const Problem& problem) {
-  return problem->indenter ? Question::motion_below_indenter : Question::motion;
+  return cells_move(problem) ? Question::motion_below_indenter : Question::motion;
 }
 
 std::vector<std::string> reasons(Question question, const Problem& problem) {

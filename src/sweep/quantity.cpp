@@ -8,6 +8,7 @@
 #include "base/identifiers.hpp"
 #include "base/trimmed.hpp"
 #include "problem/variation.hpp"
+#include "rules/kinds.hpp"
 #include "scene/settings.hpp"
 #include "simulation/system/steady_state.hpp"
 
@@ -83,7 +84,7 @@ SweptQuantity parse_swept_quantity(const std::string& text, const Problem& probl
     throw InputError(place, fmt::format("\"{}\"", text), "one name a word",
                      fmt::format("several stand apart, without commas: {} {}",
                                  text.substr(0, comma), trimmed(text.substr(comma + 1), " ")));
-  const bool separates = problem->separation || problem->indenter;
+  const bool separates = rules::may_open(problem);
   if (text.starts_with(sensitivity_prefix)) {
     const std::string name = text.substr(sensitivity_prefix.size());
     refuse_expression(*problem->source, name, place);

@@ -14,6 +14,7 @@
 #include "modes/general_modes.hpp"
 #include "normal/mean_indentation.hpp"
 #include "problem/variation.hpp"
+#include "rules/kinds.hpp"
 #include "rules/rulebook.hpp"
 #include "sweep/refusals.hpp"
 
@@ -75,7 +76,7 @@ bool leaves_out(const Sweep& sweep) {
 // Whether closed contacts are not known by the amplitude over the indentation or the load: below an
 // indenter, of a contact that may sink as it opens, and below a mount.
 bool asked_one_by_one(const Problem& problem) {
-  return problem->mount || (problem->load && (problem->separation || problem->indenter));
+  return problem->mount || (problem->load && rules::may_open(problem));
 }
 
 std::vector<std::string> names_of(const Grid& grid, const std::vector<std::size_t>& axes) {
@@ -122,6 +123,7 @@ class Sweeping::Rows {
         grid_(sweeping.grid_),
         block_(grid_.block(index)),
         changing_(sweeping.sweep_.problem, names_of(grid_, sweeping.parameters_)),
+        separating_(rules::Facts(sweeping.sweep_.problem).is(rules::SceneKind::separating)),
         critical_(block_.rows) {
     velocities_.reserve(speeds_at_once);
     answer_.block = index;
@@ -191,7 +193,7 @@ class Sweeping::Rows {
     const double amplitude = sweeping_.amplitude_.of(grid_, block_.first + row);
     const double part = amplitude / sweeping_.pressing_.of(grid_, block_.first + row);
     const bool usual = std::isfinite(share) && share > 0 && amplitude > 0;
-    if (usual && sweeping_.sweep_.problem->separation) return true;
+    if (usual && separating_) return true;
     if (usual && std::abs(part - share) > close * share) return part < share;
     return inadmissible_reasons(problem_at(row)).empty();
   }
@@ -331,6 +333,7 @@ class Sweeping::Rows {
   const Grid& grid_;
   Block block_;
   Variation changing_;
+  bool separating_;
   simulation::KnownModes known_modes_;
   std::vector<double> point_, velocities_, critical_, shares_;
   std::vector<bool> outside_, admissible_;
