@@ -7,7 +7,7 @@
 
 #include "answers/critical_onset.hpp"
 #include "base/errors.hpp"
-#include "base/rounded.hpp"
+#include "base/speeds.hpp"
 #include "base/units.hpp"
 #include "options.hpp"
 
@@ -41,12 +41,10 @@ Speed SpeedOptions::of(const Problem& problem) const {
   if (by_ratio && std::isinf(critical))
     throw ModelError(onset.reason + ": --velocity-ratio has no meaning, give --velocity");
   const double ratio = by_ratio ? speed_ratio_of(ratio_) : 1;
-  if (ratio <= 0) throw InputError({"--velocity-ratio"}, ratio_, "a ratio above 0");
+  if (by_ratio) check_speed_ratio(ratio, {"--velocity-ratio"}, ratio_);
   const double velocity =
       by_ratio ? ratio * critical : parse_quantity(velocity_, Dimension::velocity, {"--velocity"});
-  if (!(velocity > 0 && std::isfinite(velocity)))
-    throw InputError({by_ratio ? "--velocity-ratio" : "--velocity"},
-                     "a speed of " + rounded(velocity, "m/s"), "a finite speed above 0");
+  check_speed(velocity, {by_ratio ? "--velocity-ratio" : "--velocity"});
   return {velocity, velocity / critical};
 }
 

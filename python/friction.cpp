@@ -11,8 +11,7 @@
 #include "answers/friction.hpp"
 #include "answers/realised_friction.hpp"
 #include "arrays.hpp"
-#include "base/numbers.hpp"
-#include "base/rounded.hpp"
+#include "base/speeds.hpp"
 #include "base/units.hpp"
 #include "bindings.hpp"
 #include "interrupt.hpp"
@@ -40,9 +39,8 @@ std::optional<std::size_t> first_refused_speed(const Array& velocities) {
 }
 
 void refuse_speed(double velocity, std::optional<double> ratio, const std::string& name) {
-  if (ratio && *ratio <= 0) throw InputError(argument(name), to_text(*ratio), "a ratio above 0");
-  throw InputError(argument(name), "a speed of " + rounded(velocity, "m/s"),
-                   "a finite speed above 0");
+  if (ratio) check_speed_ratio(*ratio, argument(name));
+  check_speed(velocity, argument(name));
 }
 
 double parse_velocity(const std::string& text, const std::string& name) {

@@ -9,6 +9,7 @@
 #include "answers/friction.hpp"
 #include "base/constants.hpp"
 #include "base/rounded.hpp"
+#include "base/speeds.hpp"
 #include "critical/admissibility.hpp"
 #include "design/explain.hpp"
 #include "design/first_reach.hpp"
@@ -51,10 +52,7 @@ class Solving {
     if (!(question.friction_ratio > 0 && question.friction_ratio < 1))
       throw InputError(argument("friction_ratio"), fmt::format("{}", question.friction_ratio),
                        "a ratio between 0 and 1, both excluded");
-    if (question.sought != Sought::velocity &&
-        !(question.velocity > 0 && std::isfinite(question.velocity)))
-      throw InputError(argument("velocity"), "a speed of " + rounded(question.velocity, "m/s"),
-                       "a finite speed above 0");
+    if (question.sought != Sought::velocity) check_speed(question.velocity, argument("velocity"));
     for (const auto& [end, name] : {std::pair(question.from, "from"), {question.to, "to"}})
       if (end && !(*end > 0))
         throw InputError(argument(name), rounded(*end, unit_of(question.sought), all_digits),

@@ -3,9 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "base/rounded.hpp"
+#include "base/speeds.hpp"
+#include "scene/settings.hpp"
 
 namespace vcrit {
 
@@ -23,20 +23,17 @@ void refuse_speeds(const Sweep& sweep, const Grid& grid) {
   if (speeds > 1 || (std::ranges::any_of(sweep.quantities, needs_motion) && speeds == 0))
     throw InputError({"sweep"}, speeds == 0 ? "a friction ratio at no speed" : "several speeds",
                      "velocity or velocity_ratio, as an axis (`over`) or as one value");
-  const auto refuse = [](double value, bool ratio, const Place& place) {
-    if (!(value > 0 && std::isfinite(value)))
-      throw InputError(place,
-                       "a speed of " + (ratio ? rounded(value, "", all_digits) + " v*"
-                                              : rounded(value, "m/s", all_digits)),
-                       "finite speeds above 0");
-  };
   if (grid.speed()) {
     const Axis& axis = grid.axes()[*grid.speed()];
+    const Place place = argument("over " + axis.name);
     for (const double value : axis.values)
-      refuse(value, axis.dimension == Dimension::none, argument("over " + axis.name));
+      if (axis.dimension == Dimension::none)
+        check_speed_ratio(value, place);
+      else
+        check_speed(value, place);
   }
-  if (sweep.velocity) refuse(*sweep.velocity, false, argument("velocity"));
-  if (sweep.velocity_ratio) refuse(*sweep.velocity_ratio, true, argument("velocity_ratio"));
+  if (sweep.velocity) check_speed(*sweep.velocity, argument("velocity"));
+  if (sweep.velocity_ratio) check_speed_ratio(*sweep.velocity_ratio, argument("velocity_ratio"));
 }
 
 // Quantities and axes are columns of one table, variables of one file.
@@ -52,9 +49,13 @@ void refuse_repetition(const Sweep& sweep) {
   }
 }
 
+bool is_of(const InputError& error, const Axis& axis) {
+  return error.place().argument == OverridingValues::place(axis.name).argument;
+}
+
 void refuse_as_of_axis(const Sweep& sweep, const InputError& error) {
   for (const Axis& axis : sweep.axes)
-    if (error.place().argument == "set " + axis.name)
+    if (is_of(error, axis))
       throw InputError(argument("over " + axis.name), error.found(), error.expected(),
                        error.advice());
   throw;

@@ -95,7 +95,7 @@ void refuse_value(const Variation& varied, const Axis& axis, double value) {
   try {
     varied.refuse({&value, 1});
   } catch (const InputError& error) {
-    if (!error.found().starts_with(axis.name + " = ")) throw;
+    if (!is_of(error, axis)) throw;
     const std::string number = rounded(value, axis.dimension, all_digits);
     throw InputError(error.place(), fmt::format("{} = {}", axis.name, number), error.expected(),
                      error.advice());

@@ -162,7 +162,8 @@ class Tables(Case):
                 more=["--over", "angular_frequency=lin:1:2:2", "--quantity", "critical_velocity"])
         friction = ["--quantity", "friction_ratio"]
         refused("velocity=lin:-1 mm/s:2 mm/s:3", "--over velocity: found a speed of -1 mm/s", more=friction)
-        refused("velocity_ratio=lin:-1:2:3", "--over velocity_ratio: found a speed of -1 v*", more=friction)
+        refused("velocity_ratio=lin:-1:2:3", "--over velocity_ratio: found -1; expected a ratio above 0", more=friction)
+        refused("k0=lin:1:2:3", "--velocity-ratio: found -1; expected a ratio above 0", more=["--velocity-ratio", "-1", *friction])
         refused("k0=lin:1:2:3", "--velocity: found a speed of -2 mm/s", more=["--velocity", "-2 mm/s", *friction])
 
     def test_an_axis_may_have_been_meant(self):

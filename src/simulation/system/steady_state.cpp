@@ -1,9 +1,7 @@
 #include "simulation/system/steady_state.hpp"
 
-#include <cmath>
-
 #include "base/errors.hpp"
-#include "base/rounded.hpp"
+#include "base/speeds.hpp"
 
 namespace vcrit::simulation {
 
@@ -41,10 +39,6 @@ const char* to_text(Regime regime) {
   throw Bug("a regime is one of seven");
 }
 
-void require_forward(double velocity) {
-  if (!(velocity > 0 && std::isfinite(velocity)))
-    throw InputError({"velocity"}, "a speed of " + rounded(velocity, "m/s"),
-                     "a finite speed above 0");
-}
+void require_forward(double velocity) { check_speed(velocity, {"velocity"}); }
 
 }  // namespace vcrit::simulation
