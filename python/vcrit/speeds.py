@@ -41,7 +41,7 @@ class Speeds(NamedTuple):
         number = self.parse(text) if is_text(self.given) or " " in text else float(text)
         speed, ratio = map(float, self.in_both_units(scene, np.array(number)))
         if np.isnan(speed):
-            _vcrit.refuse_speed(speed, None, self.argument)
+            _vcrit.refuse_speed(speed, number if self.are_ratios else None, self.argument)
         return speed, ratio
 
     def in_both_units(self, scene: _vcrit.Scene, given: npt.NDArray[Any]) -> tuple[Array, Array]:

@@ -13,7 +13,8 @@ void check_speed(double velocity, const Place& place) {
 
 void check_speed_ratio(double ratio, const Place& place, const std::string& written) {
   if (ratio > 0 && std::isfinite(ratio)) return;
-  throw InputError(place, written.empty() ? rounded(ratio, "", all_digits) : written,
+  const bool as_typed = std::isfinite(ratio) && !written.empty();
+  throw InputError(place, as_typed ? written : rounded(ratio, "", all_digits),
                    std::isinf(ratio) ? "a finite ratio" : "a ratio above 0");
 }
 

@@ -5,6 +5,7 @@
 #include <tbb/global_control.h>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <limits>
 
 #include "critical/admissibility.hpp"
 #include "critical/certified.hpp"
@@ -210,8 +211,12 @@ BOOST_AUTO_TEST_CASE(mistakes_are_named) {
   BOOST_TEST(has(message(sweep), "several speeds"));
   sweep.velocity_ratio.reset();
   sweep.velocity = 0;
-  BOOST_TEST(has(message(sweep), "speeds above 0"));
-  sweep.velocity = 1;
+  BOOST_TEST(has(message(sweep), "velocity: found a speed of 0 m/s; expected a finite speed"));
+  sweep.velocity.reset();
+  sweep.velocity_ratio = -1;
+  BOOST_TEST(has(message(sweep), "velocity_ratio: found -1; expected a ratio above 0"));
+  sweep.velocity_ratio = std::numeric_limits<double>::infinity();
+  BOOST_TEST(has(message(sweep), "velocity_ratio: found ∞; expected a finite ratio"));
   BOOST_TEST(has(message(sweep_over("kelvin.toml", {"mass=lin:1:2:2"}, {"critical_velocity"},
                                     {{"mass", "1 g"}})),
                  "a setting of mass as well"));
