@@ -31,6 +31,9 @@ using ConstView = std::span<const double>;
 
 /// Doubles as List holds them. A motion makes hundreds in a period, so each costs no more than its
 /// numbers: no call for the room, and no loop over elements where one is moved.
+/// In place of Boost's small_vector: that one has as many bytes, and copies, moves and assigns in
+/// up to a fifth more time, but takes 16 ns for 17 zeros (here 4; g++ 12, -O3). Up to Boost 1.74 it
+/// is no range of contiguous numbers to C++20 either, so that it could not be given as a View.
 template <Index usual>
 class Numbers {
  public:
