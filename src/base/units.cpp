@@ -18,6 +18,7 @@
 #include "base/numbers.hpp"
 #include "base/trimmed.hpp"
 #include "base/unit_advice.hpp"
+#include "base/usual_units.hpp"
 
 namespace vcrit {
 
@@ -67,6 +68,8 @@ void add_short_names(ut_system* system) {
   if (degree) ut_map_name_to_unit("deg", UT_ASCII, degree.get());
 }
 
+constexpr const char* database_variable = "UDUNITS2_XML_PATH";
+
 ut_system* units() {
   static ut_system* const system = [] {
     ut_set_error_message_handler(ut_ignore);
@@ -75,9 +78,8 @@ ut_system* units() {
     return all;
   }();
   if (system == nullptr) {
-    const char* const file = std::getenv("UDUNITS2_XML_PATH");
-    throw InputError({"UDUNITS2_XML_PATH"},
-                     file == nullptr ? "nothing" : fmt::format("\"{}\"", file),
+    const char* const file = std::getenv(database_variable);
+    throw InputError({database_variable}, file == nullptr ? "nothing" : fmt::format("\"{}\"", file),
                      "the database of units, udunits2.xml: unset the variable, or set it to that "
                      "file of the package libudunits2-data");
   }
@@ -220,8 +222,18 @@ Explanation of_unknown_unit(double value, std::string_view unit, Dimension dimen
           advice_on_unknown_unit(number, unit, dimension)};
 }
 
+/// Without udunits, whose database takes longer to read than most scenes; nothing for what it has
+/// to be asked about. A database of the user's may have a meaning of its own for any unit.
+std::optional<TypedNumber> by_usual_unit(const Decimal& number, std::string_view unit,
+                                         Dimension dimension) {
+  const std::optional<int> power = usual_power(unit, dimension);
+  if (!power || std::getenv(database_variable) != nullptr) return std::nullopt;
+  return times(number, {false, "1", *power});
+}
+
 TypedNumber convert(double value, const Decimal& number, std::string_view unit, Dimension dimension,
                     const Place& place, std::string_view whole) {
+  if (const auto converted = by_usual_unit(number, unit, dimension)) return *converted;
   const auto refuse = [&](const std::string& why, const std::string& advice = "") {
     throw InputError(place, fmt::format("\"{}\" ({})", whole, why), describe(dimension), advice);
   };
