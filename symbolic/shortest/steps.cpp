@@ -10,8 +10,10 @@ namespace {
 
 std::uint64_t bit(std::uint32_t step) { return std::uint64_t{1} << (step % 64); }
 
-/// std::has_single_bit() counts all bits, which is a call where the processor may lack POPCNT.
-bool is_single_bit(std::uint64_t mask) { return (mask & (mask - 1)) == 0; }
+bool has_bits(std::uint64_t mask, std::size_t least) {
+  for (; least > 1 && mask != 0; --least) mask &= mask - 1;
+  return mask != 0;
+}
 
 /// How many parts two steps of a kind have in common: with equal signs, and with opposite ones.
 struct Common {
@@ -221,20 +223,52 @@ void Steps::replace(std::uint32_t in, const StepParts& common, std::uint32_t by)
   steps_[in].sort_parts();
 }
 
-bool Steps::share_best(const std::vector<std::uint32_t>& sets) {
+SetMasks Steps::masks_of_shared(const std::vector<std::uint32_t>& sets) const {
+  SetMasks result;
+  if (steps_.size() <= 64) {
+    for (const std::uint32_t set : sets) result.put(steps_[set].mask, set);
+    return result;
+  }
+  boost::container::small_vector<std::uint32_t, 128> labels(steps_.size(), 0);  // first: sets
+  for (const std::uint32_t set : sets)
+    for (const StepPart& part : steps_[set].parts) ++labels[part.step];
+  constexpr std::uint32_t unshared = ~std::uint32_t{0};
+  std::uint32_t count = 0;
+  for (std::uint32_t& label : labels) label = label >= 2 ? count++ : unshared;
+  result.exact = count <= 64;
+  for (const std::uint32_t set : sets) {
+    std::uint64_t mask = 0;
+    for (const StepPart& part : steps_[set].parts)
+      if (labels[part.step] != unshared) mask |= bit(labels[part.step]);
+    result.put(mask, set);
+  }
+  return result;
+}
+
+StepParts Steps::most_shared(const std::vector<std::uint32_t>& sets) const {
+  const SetMasks all = masks_of_shared(sets);
+  const std::uint64_t* const masks = all.masks.data();
+  const std::size_t size = all.masks.size();
+  std::size_t least = all.exact ? 2 : 1;  // bits of two sets that are worth a look
   StepParts best;
-  all_.spend(sets.size() * sets.size() / 8);
-  boost::container::small_vector<std::uint64_t, 64> masks;
-  for (const std::uint32_t set : sets) masks.push_back(steps_[set].mask);
-  for (std::size_t i = 0; i < sets.size(); ++i)
-    for (std::size_t j = i + 1; j < sets.size(); ++j) {
-      const std::uint64_t mask = masks[i] & masks[j];
-      // One bit may stand for several steps where there are more than 64.
-      if (mask == 0 || (is_single_bit(mask) && steps_.size() <= 64)) continue;
-      const FormulaStep &a = steps_[sets[i]], &b = steps_[sets[j]];
+  for (std::size_t i = 0; i < size; ++i) {
+    std::uint64_t any = 0;  // of most sets none, which is found without a branch
+    for (std::size_t j = i + 1; j < size; ++j) any |= all.beyond_one(masks[i] & masks[j]);
+    for (std::size_t j = i + 1; any != 0 && j < size; ++j) {
+      if (!has_bits(masks[i] & masks[j], least)) continue;
+      const FormulaStep &a = steps_[all.sets[i]], &b = steps_[all.sets[j]];
       const Common common = count_common(a, b);
-      if (common.larger() >= 2 && common.larger() > best.size()) best = common_parts(a, b, common);
+      if (common.larger() < 2 || common.larger() <= best.size()) continue;
+      best = common_parts(a, b, common);
+      if (all.exact) least = best.size() + 1;
     }
+  }
+  return best;
+}
+
+bool Steps::share_best(const std::vector<std::uint32_t>& sets) {
+  all_.spend(sets.size() * sets.size() / 8);
+  StepParts best = most_shared(sets);
   if (best.empty()) return false;
   // Where it is all of a step, that step is it.
   std::uint32_t shared = static_cast<std::uint32_t>(steps_.size());

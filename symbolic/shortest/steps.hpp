@@ -33,6 +33,22 @@ struct FormulaStep {
   void sort_parts();
 };
 
+/// Sums or products that may have parts in common, with a bit for each part that is in others, too.
+struct SetMasks {
+  boost::container::small_vector<std::uint64_t, 64> masks;
+  boost::container::small_vector<std::uint32_t, 64> sets;
+  bool exact = true;  ///< no bit stands for several parts
+  /// Not 0 where the mask may stand for more than one part.
+  std::uint64_t beyond_one(std::uint64_t mask) const {
+    return mask & (mask - static_cast<std::uint64_t>(exact));
+  }
+  void put(std::uint64_t mask, std::uint32_t set) {
+    if (beyond_one(mask) == 0) return;
+    masks.push_back(mask);
+    sets.push_back(set);
+  }
+};
+
 class Steps {
  public:
   Steps(const Expressions& all, const Ex& whole) : Steps(all, std::vector{whole}) {}
@@ -63,6 +79,9 @@ class Steps {
   std::uint32_t put(FormulaStep step);
   std::uint32_t product(const SmallFraction& factor, const std::vector<Item>& items);
   void share(FormulaStep::Kind kind);
+  SetMasks masks_of_shared(const std::vector<std::uint32_t>& sets) const;
+  /// The most parts that two of these steps have in common; none where it is less than two.
+  StepParts most_shared(const std::vector<std::uint32_t>& sets) const;
   bool share_best(const std::vector<std::uint32_t>& sets);
   void replace(std::uint32_t in, const StepParts& common, std::uint32_t by);
   void count();
