@@ -1,7 +1,8 @@
 #include "report/document.hpp"
 
 #include <fmt/core.h>
-#include <openssl/evp.h>
+#include <nettle/base64.h>
+#include <nettle/sha2.h>
 
 #include <array>
 #include <cctype>
@@ -95,14 +96,14 @@ std::string in_unit(double value, const std::string& argument) {
 }  // namespace
 
 std::string script_hash(std::string_view text) {
-  std::array<unsigned char, 32> hash{};
-  unsigned size = 0;
-  ensure(EVP_Digest(text.data(), text.size(), hash.data(), &size, EVP_sha256(), nullptr) == 1 &&
-             size == hash.size(),
-         "a SHA-256");
-  std::array<unsigned char, 45> base64{};  // four letters for three bytes, and a zero
-  EVP_EncodeBlock(base64.data(), hash.data(), static_cast<int>(hash.size()));
-  return "sha256-" + std::string(base64.begin(), base64.end() - 1);
+  sha256_ctx context;
+  sha256_init(&context);
+  sha256_update(&context, text.size(), reinterpret_cast<const unsigned char*>(text.data()));
+  std::array<unsigned char, SHA256_DIGEST_SIZE> hash{};
+  sha256_digest(&context, hash.size(), hash.data());
+  std::array<char, BASE64_ENCODE_RAW_LENGTH(SHA256_DIGEST_SIZE)> base64{};
+  base64_encode_raw(base64.data(), hash.size(), hash.data());
+  return "sha256-" + std::string(base64.begin(), base64.end());
 }
 
 std::string rendered(const char* name, const record::Json& record) {
