@@ -10,10 +10,9 @@ namespace vcrit::validation {
 
 namespace {
 
-// No more: each scene pays for what they hold. <complex> is the dearest.
+// No more: each scene pays for what they hold.
 const char* const includes = R"(#include <algorithm>
 #include <cmath>
-#include <complex>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
@@ -172,7 +171,7 @@ const std::vector<Call>& generated_calls() {
 
 const Call& complex_call() {
   static const Call call =
-      each("complex", "Eq. 24 in std::complex, as written", "in_complex_numbers(sets[i])");
+      each("complex", "Eq. 24 in complex doubles, as written", "in_complex_numbers(sets[i])");
   return call;
 }
 
