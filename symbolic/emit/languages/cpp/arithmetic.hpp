@@ -5,9 +5,10 @@
 #include <bit>
 #include <cstdint>
 //: includes
-#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
 #include <span>
 #include <type_traits>
 #if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__
@@ -219,11 +220,11 @@ template <class T> Gradient gradient(const Parameters& p) { Gradient g{}; g.valu
 template <class T, Result function(const Parameters&) = evaluate<T>>
 [[gnu::flatten]] void sweep(const Parameters p, std::span<const double> omega, std::span<double> out) {
   std::array<double, 1024> copy;
-  const std::size_t size = std::min(omega.size(), out.size());
+  const std::size_t size = omega.size() < out.size() ? omega.size() : out.size();
   const bool apart = omega.data() + size <= out.data() || out.data() + size <= omega.data();
   for (std::size_t i = 0, n = 0; i < size; i += n) {
-    n = std::min(copy.size(), size - i);
-    if (!apart) std::copy_n(omega.data() + i, n, copy.data());
+    n = size - i < copy.size() ? size - i : copy.size();
+    if (!apart) std::memcpy(copy.data(), omega.data() + i, n * sizeof(double));
     const double* const from = apart ? omega.data() + i : copy.data();
     unsigned long long unsafe = 0;
     const auto at = [&](std::size_t l) { Parameters q = p; q.THE_OMEGA = from[l]; return q; };
@@ -255,7 +256,7 @@ template <Varying S> [[gnu::flatten]] void straight(const Parameters p, const Co
     return q;
   };
   for (std::size_t i = 0, end = 0; i < out.size(); i = end) {
-    end = std::min(i + 1024, out.size());
+    end = out.size() - i < 1024 ? out.size() : i + 1024;
     Bits unsafe = 0;
     const auto store = [&](std::size_t l, const Result& r) { to[l] = r.value, unsafe |= r.unsafe; };
 #ifdef __clang__
@@ -287,11 +288,11 @@ template <class T, Varying S>
   Columns from;
   Lanes value, bound;
   for (std::size_t i = 0; i < out.size(); i += value.size()) {
-    const std::size_t n = std::min(value.size(), out.size() - i);
+    const std::size_t n = out.size() - i < value.size() ? out.size() - i : value.size();
     each([=](const double*& y, Lanes& own, const double* x, double fixed) {
       const bool whole = x && n == own.size();
       if (x ? !whole : i == 0) own.fill(fixed);
-      if (x && !whole) std::copy_n(x + i, n, own.data());
+      if (x && !whole) std::memcpy(own.data(), x + i, n * sizeof(double));
       y = whole ? x + i : own.data();
     }, from, in, c, p);
     unsigned long long unsafe = 0;
@@ -313,14 +314,14 @@ template <class T, Varying S>
     for (std::size_t l = 0; unsafe != 0 && l < n; ++l)
       if constexpr (G) { Parameters d; const Result r = result<T>(at(l), d); store(l, r, d); }
       else store(l, result<T>(at(l)));
-    std::copy_n(value.data(), n, out.data() + i);
+    std::memcpy(out.data() + i, value.data(), n * sizeof(double));
     if constexpr (B) {
       static const bool exact = is_exact();
       if (!exact) bound.fill(HUGE_VAL);
-      std::copy_n(bound.data(), n, std::span<double>(more...).data() + i);
+      std::memcpy(std::span<double>(more...).data() + i, bound.data(), n * sizeof(double));
     }
     if constexpr (G)
-      each([=](double* to, const Lanes& x) { if (to) std::copy_n(x.data(), n, to + i); }, more..., partial);
+      each([=](double* to, const Lanes& x) { if (to) std::memcpy(to + i, x.data(), n * sizeof(double)); }, more..., partial);
   }
 }
 #ifdef __clang__
