@@ -10,12 +10,12 @@
 
 namespace vcrit {
 
-struct UsualUnit {
+struct TabledUnit {
   Dimension dimension;
   std::string_view name;
   int power;  ///< of ten: a number of this unit times that is a number of the SI unit
 };
-std::span<const UsualUnit> usual_units();
+std::span<const TabledUnit> tabled_units();
 
 /// 6 of "N/um", a stiffness. Nothing for a unit that is not in the table, or is one of another
 /// dimension.

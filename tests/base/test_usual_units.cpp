@@ -23,7 +23,7 @@ TypedNumber typed(const std::string& text, Dimension dimension) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(each_unit_is_what_udunits_says) {
-  for (const UsualUnit& unit : usual_units()) {
+  for (const TabledUnit& unit : tabled_units()) {
     const std::string name(unit.name);
     for (const char* number : {"1", "-0.30", "2.54e3"}) {
       const TypedNumber by_table = typed(number + (" " + name), unit.dimension);
@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(a_unit_is_one_of_its_own_dimension) {
 // The second of two rows would never be met.
 BOOST_AUTO_TEST_CASE(a_unit_has_one_row) {
   std::set<std::pair<Dimension, std::string_view>> rows;
-  for (const UsualUnit& unit : usual_units())
+  for (const TabledUnit& unit : tabled_units())
     BOOST_TEST(rows.emplace(unit.dimension, unit.name).second, unit.name);
 }
 
