@@ -5,26 +5,24 @@ what Markdown has between dollars, of the formulas in JSON, and of names that ar
 KaTeX is Debian's package libjs-katex, nodejs runs it: without them the test fails.
 """
 
-import concurrent.futures
 import csv
 import json
-import os
 import re
 import subprocess
+import sys
 import unittest
 from pathlib import Path
 
+from asked_documents import documents
 from example_scenes import with_formula
-from program import PROGRAM, PROJECT, Case, run
+from program import PROGRAM, PROJECT, Case
 
+PRINT_ASKED = sys.argv.pop(1)
 KATEX = "/usr/share/javascript/katex/katex.js"
 HERE = Path(__file__).resolve().parent
 
-ALL = ["--limits", "--sensitivities"]
-ASKED = [
-    *([*ALL, "--format", form] for form in ("latex", "markdown", "json")),
-    *([*ALL, "--form", form, "--format", "latex"] for form in ("nested", "storage-loss", "rational", "dimensionless", "expanded")),
-]
+FORMATS = {"shortest": ["latex", "markdown", "json"]} | {
+    form: ["latex"] for form in ("nested", "storage-loss", "rational", "dimensionless", "expanded")}
 REFUSED = [("measured_drive", "rational"), ("prony", "rational"),  # no polynomials; too many terms
            ("measured_drive", "storage-loss"), ("prony", "expanded")]
 # Names with digits, underscores, Greek letters, the program's own symbols and LaTeX's own words.
@@ -56,6 +54,12 @@ def formulas(text, form):
     return [(each, True) for each in displayed] + [(each, False) for each in IN_LINE.findall(rest)]
 
 
+def derived(asked, formats=None):
+    """{format: document} of each (scene, form), with limits and sensitivities."""
+    return documents(PRINT_ASKED, [{"scene": str(scene), "form": form, "limits": True, "sensitivities": True,
+                                    "formats": formats or FORMATS[form]} for scene, form in asked])
+
+
 def faults_of(items):
     """One process for all of them. Many formulas are in many documents: each is typeset once, for the first of these."""
     different = {}
@@ -74,18 +78,16 @@ class Katex(Case):
 
     def test_it_takes_all_that_is_derived(self):
         scenes = [*with_formula(PROGRAM), self.scene(**HARD)]
-        runs = [(scene, words) for scene in scenes for words in ASKED
-                if (scene.stem, words[3] if "--form" in words else "") not in REFUSED]
-        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            results = list(pool.map(lambda asked: run("derive", asked[0], *asked[1]), runs))
+        asked = [(scene, form) for scene in scenes for form in FORMATS if (scene.stem, form) not in REFUSED]
         items = []
-        for (scene, words), result in zip(runs, results):
-            where = f"{scene.name} {' '.join(words)}"
-            self.assertEqual(result.returncode, 0, f"{where}: {result.stderr}")
-            found = formulas(result.stdout, words[-1])
-            # Ten lines lead to v*, whatever the scene.
-            self.assertGreater(len(found), 10, where)
-            items += [(where, *each) for each in found]
+        for (scene, form), printed in zip(asked, derived(asked), strict=True):
+            self.assertEqual(list(printed), sorted(FORMATS[form]))
+            for each, text in printed.items():
+                where = f"{scene.name} {form} {each}"
+                found = formulas(text, each)
+                # Ten lines lead to v*, whatever the scene.
+                self.assertGreater(len(found), 10, where)
+                items += [(where, *each) for each in found]
         self.assertEqual(faults_of(items), [])
 
     def test_it_takes_all_cells_of_the_table_of_hand_forms(self):
@@ -93,12 +95,9 @@ class Katex(Case):
             cells = list(csv.DictReader(file))
         self.assertEqual(len(cells), 216)
         files = [self.write(cell["scene"], f"{n}.toml") for n, cell in enumerate(cells)]
-        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            results = list(pool.map(lambda file: run("derive", file, *ALL, "--format", "latex"), files))
         items = []
-        for file, result in zip(files, results):
-            self.assertEqual(result.returncode, 0, f"{file.read_text()}: {result.stderr}")
-            items += [(file.read_text(), *each) for each in formulas(result.stdout, "latex")]
+        for file, printed in zip(files, derived([(file, "shortest") for file in files], ["latex"]), strict=True):
+            items += [(file.read_text(), *each) for each in formulas(printed["latex"], "latex")]
         self.assertEqual(faults_of(items), [])
 
     def test_it_refuses_what_is_no_latex(self):

@@ -96,9 +96,12 @@ def commands():
 class Cells:
     """Mixed into test cases: `answered` says whether a cell has values, and `near` compares them."""
 
+    def looked_at(self, kind, column):
+        LOOKED_AT.add((kind, column))
+
     def answered(self, kind, column, ran):
         """False where the cell is a refusal, which `ran` then has to be; a refusal unasked fails."""
-        LOOKED_AT.add((kind, column))
+        self.looked_at(kind, column)
         expected = refusal(kind, column)
         if expected is None:
             self.assertEqual(ran.returncode, 0, ran.stderr)

@@ -6,6 +6,7 @@ new one has no cells and fails, as a new kind does.
 """
 
 import csv
+import functools
 import json
 import os
 import tempfile
@@ -15,12 +16,14 @@ from pathlib import Path
 import mpmath as mp
 
 import check_cells
+import derive_cells
 import evaluators
 import formulas
 import plot_cells
 import python_cells
-from cells import (FOLDER, KINDS, LOOKED_AT, REFERENCES, REFUSALS, U, Cells, choices, commands, contact_amplitude,
-                   free_share, onset, receptance, refusal, run, scene, settable)
+import sweep_cells
+from cells import (FOLDER, KINDS, LOOKED_AT, REFERENCES, REFUSALS, U, Cells, choices, commands, free_share, onset, receptance,
+                   refusal, run, scene)
 
 # Formats of the derivation; those of systems have v* alone, tests/document tries every form of it.
 DOCUMENTS, FORMS = ("text", "latex", "markdown", "html", "json"), choices("derive", "form")
@@ -47,6 +50,11 @@ COLUMNS = {
 with (FOLDER / "comparisons.csv").open() as file:
     COMPARISONS = {row["kind"]: row["comparisons"].split() for row in csv.DictReader(file)}
 OTHER_COMMANDS = {"fit", "new"}  # read no scene
+
+
+@functools.cache
+def derived(kind):
+    return json.loads(run("derive", scene(kind), "--json").stdout)
 
 
 class Matrix(Cells, unittest.TestCase):
@@ -96,19 +104,7 @@ class Matrix(Cells, unittest.TestCase):
             self.near(answer["sliding_from"], value * share, (4 * U + 2e-12) * float(value))
 
     def test_derive(self):
-        self.over([column for column in COLUMNS["derive"] if column.count("/") == 2], self.derive)
-
-    def derive(self, kind, column):
-        _, form, form_of_text = column.split("/")
-        if self.answered(kind, column, ran := run("derive", scene(kind), "--form", form, "--format", form_of_text)):
-            self.check_printed(kind, form, form_of_text, ran.stdout)
-
-    def check_printed(self, kind, form, form_of_text, printed):
-        values = formulas.beside_poles(REFERENCES[kind].parameters())
-        found = formulas.all_onsets(printed, form, form_of_text, values)
-        self.assertTrue(found, printed[:3000])
-        for value in found:
-            self.near_in_digits(value, REFERENCES[kind]("formula"), printed[:3000])
+        derive_cells.derive(self, [column for column in COLUMNS["derive"] if column.count("/") == 2])
 
     def test_limits(self):
         self.over(["derive/limits"], self.limits)
@@ -186,7 +182,7 @@ class Matrix(Cells, unittest.TestCase):
         self.assertEqual(ran.returncode, 1, ran.stderr)
         found = json.loads(ran.stdout)["counterexample"]
         for place, each in (("first", kind), ("second", other)):
-            document = json.loads(run("derive", scene(each), "--json").stdout)
+            document = derived(each)
             line = dict(document["critical_velocity"], definitions=document["definitions"])
             values = REFERENCES[each].parameters() | {name: mp.mpf(x) for name, x in found["values"].items()}
             values |= {"du_z": values["U"]} if "U" in found["values"] else {}  # one symbol, by its name in the first
@@ -256,56 +252,7 @@ class Matrix(Cells, unittest.TestCase):
         self.over(["explore"], lambda kind, column: plot_cells.explore(self, kind, column))
 
     def test_sweep(self):
-        self.over([f"sweep/{each}" for each in QUANTITIES], self.sweep)
-
-    def sweep(self, kind, column):
-        quantity = column.split("/")[1]
-        references = REFERENCES[kind]
-        velocities = [references.text(f"velocity:{i}") if f"velocity:{i}" in references else f"1e-{3 + i}" for i in (0, 1)]
-        axis = self.folder / "axis"
-        axis.write_text("\n".join(velocities) + "\n")
-        parameters = settable(references.begin("sensitivity:") or references.begin("value:"))
-        asked = [f"sensitivity:{name}" for name in parameters] if quantity == "sensitivity:NAME" else [quantity]
-        if quantity == "friction_ratio":
-            asked.append("friction_ratio_error")
-        table = self.folder / f"{kind}.csv"
-        ran = run("sweep", scene(kind), "--over", f"velocity=list:{axis}", "--out", table, "--threads", "1",
-                  *(word for each in asked for word in ("--quantity", each)))
-        if not self.answered(kind, column, ran):
-            return
-        with table.open() as file:
-            rows = list(csv.DictReader(file))
-        self.assertEqual([float(row["velocity"]) for row in rows], [float(velocity) for velocity in velocities])
-        for i, row in enumerate(rows):
-            self.check_row(kind, quantity, i, row)
-
-    def check_row(self, kind, quantity, i, row):
-        references = REFERENCES[kind]
-        value, error = onset(kind)
-        if quantity == "critical_velocity":
-            self.near(row[quantity], value, error, quantity)
-        elif quantity == "admissible":
-            outside = kind in ("not_admissible", "no_static_load")
-            self.assertEqual(row[quantity], "no" if outside else "yes")
-        elif quantity in ("indentation", "mean_normal_force"):
-            self.near_pressed(kind, i, quantity, float(row[quantity]))
-        elif quantity == "contact_amplitude":
-            self.near(row[quantity], contact_amplitude(kind)[0], 8 * U * float(row[quantity]), quantity)
-        elif quantity == "sensitivity:NAME":
-            simulated = references.begin("simulated_sensitivity:")
-            for name in settable(references.begin("sensitivity:")):
-                start = "simulated_sensitivity" if name in simulated else "sensitivity"
-                reference = references(f"{start}:{name}")
-                # Differentiated in doubles, or by differences good to 1e-9.
-                allowed = references.error(f"{start}:{name}") + 1e-8 + 1e-10 * abs(reference)
-                self.near(row[f"sensitivity_{name}"], reference, allowed, name)
-        elif quantity == "regime":
-            self.assertEqual(row[quantity], references.text(f"regime:{i}"))
-        elif quantity == "friction_ratio_error":
-            self.assertLess(float(row[quantity]), 1e-3 if kind == "indenter_drive_viscoelastic" else 1e-9)  # steps of time
-        else:
-            name = f"{quantity}:{i}"
-            self.near(row[quantity], references(name), references.error(name) + float(row["friction_ratio_error"]), name)
+        sweep_cells.sweep(self, [f"sweep/{each}" for each in QUANTITIES])
 
     def test_solve(self):
         self.over([f"solve/{each}" for each in UNKNOWNS], self.solve)

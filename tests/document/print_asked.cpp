@@ -1,0 +1,67 @@
+// Documents of `vcrit derive`, in several formats of what was found out once. Each line that it reads is
+// {"scene": FILE, "form": FORM, "limits": BOOL, "sensitivities": BOOL, "formats": [FORMAT, ...]}, each line that it
+// writes {FORMAT: DOCUMENT, ...}. For tests that look at thousands of documents.
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "document/findings.hpp"
+#include "document/print.hpp"
+#include "formula/algebra_lock.hpp"
+#include "formula/names.hpp"
+#include "problem/problem.hpp"
+
+namespace {
+
+using namespace vcrit;
+using symbolic::Format;
+using symbolic::ResultForm;
+
+/// A system's name is its format.
+Format format_called(const std::string& name) {
+  static const std::map<std::string, Format> formats{{"text", Format::text},
+                                                     {"latex", Format::latex},
+                                                     {"markdown", Format::markdown},
+                                                     {"html", Format::html},
+                                                     {"json", Format::json}};
+  const auto found = formats.find(name);
+  return found == formats.end() ? Format::system : found->second;
+}
+
+symbolic::DocumentOptions options_of(const nlohmann::json& asked) {
+  static const std::map<std::string, ResultForm> forms{
+      {"shortest", ResultForm::shortest},           {"nested", ResultForm::nested},
+      {"storage-loss", ResultForm::storage_loss},   {"rational", ResultForm::rational},
+      {"dimensionless", ResultForm::dimensionless}, {"expanded", ResultForm::expanded}};
+  symbolic::DocumentOptions options;
+  options.form = forms.at(asked.value("form", "shortest"));
+  options.limits = asked.value("limits", false);
+  options.sensitivities = asked.value("sensitivities", false);
+  return options;
+}
+
+nlohmann::json documents(const nlohmann::json& asked) {
+  const Problem problem = read_problem(asked.at("scene"));
+  symbolic::DocumentOptions options = options_of(asked);
+  const symbolic::AlgebraLock lock;
+  const symbolic::NamesOfScene names(problem);
+  std::map<Format, symbolic::Findings> found;
+  nlohmann::json documents;
+  for (const std::string name : asked.at("formats")) {
+    options.format = format_called(name);
+    // Sensitivities of JSON are others: text has the numbers of the scene besides.
+    const bool own = options.sensitivities && options.format == Format::json;
+    const Format like = own ? Format::json : Format::latex;
+    if (found.count(like) == 0) found.emplace(like, symbolic::findings_of(problem, options));
+    documents[name] = symbolic::print_findings(problem, found.at(like), options.format, name);
+  }
+  return documents;
+}
+
+}  // namespace
+
+int main() {
+  for (std::string line; std::getline(std::cin, line);)
+    std::cout << documents(nlohmann::json::parse(line)).dump() << '\n';
+}
