@@ -12,7 +12,8 @@ PATIENCE = 60  # seconds, for what takes one; the machine may be busy
 # Chromium's sandbox does not work for root, and the small /dev/shm of containers is not enough for it.
 ARGUMENTS = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--disable-gpu",
              "--window-size=1200,900", "--disable-background-networking", "--no-first-run",
-             "--disable-component-update", "--disable-sync"]
+             "--disable-component-update", "--disable-sync", "--renderer-process-limit=1", "--in-process-gpu",
+             "--disable-extensions", "--disable-breakpad", "--disable-features=SpareRendererForSitePerProcess"]
 
 DRAWN = "return [...document.querySelectorAll('.chart')].every((chart) => chart.querySelector('svg:not(.still)'))"
 
@@ -41,12 +42,13 @@ def lightness(colour):
     return 116 * y ** (1 / 3) - 16
 
 
-def browser(profile):
+def browser(profile, network=False):
+    """With a record of what it asks the network for ("performance"), which costs each page a fifth."""
     options = webdriver.ChromeOptions()
     options.binary_location = "/usr/bin/chromium"
     for argument in [*ARGUMENTS, f"--user-data-dir={profile}"]:
         options.add_argument(argument)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"} | ({"performance": "ALL"} if network else {}))
     driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
     load(driver, "about:blank")
     return driver

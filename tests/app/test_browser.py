@@ -33,7 +33,7 @@ class Browser(unittest.TestCase):
                        capture_output=True)
         subprocess.run([PROGRAM, "validate", "--paper", "--out", cls.report / "paper"], check=True,
                        capture_output=True)
-        cls.browser = browser(Path(cls.folder.name, "profile"))
+        cls.browser = browser(Path(cls.folder.name, "profile"), network=True)
 
     @classmethod
     def tearDownClass(cls):

@@ -177,7 +177,7 @@ class Tags(html.parser.HTMLParser):
 class Pages(Case):
     def setUp(self):
         super().setUp()
-        self.browser = browser(self.folder / "profile")
+        self.browser = browser(self.folder / "profile", network=True)
         self.addCleanup(self.browser.quit)
 
     def opened(self, page):

@@ -40,7 +40,7 @@ class Explorer(unittest.TestCase):
         for name in [*MOVING, *STILL]:
             ran = run("explore", f"scenes/{name}.toml", "--out", cls.page(name))
             assert ran.returncode == 0, ran.stderr
-        cls.browser = browser(Path(cls.folder.name, "profile"))
+        cls.browser = browser(Path(cls.folder.name, "profile"), network=True)
 
     @classmethod
     def tearDownClass(cls):
