@@ -1,6 +1,7 @@
-// Documents of `vcrit derive`, in several formats of what was found out once. Each line that it reads is
-// {"scene": FILE, "form": FORM, "limits": BOOL, "sensitivities": BOOL, "formats": [FORMAT, ...]}, each line that it
-// writes {FORMAT: DOCUMENT, ...}. For tests that look at thousands of documents.
+// Documents of `vcrit derive`, in several formats of what was found out once. Each line that it
+// reads is
+// {"scene": FILE, "form": FORM, "limits": BOOL, "sensitivities": BOOL, "formats": [FORMAT, ...]},
+// each line that it writes {FORMAT: DOCUMENT, ...}. For tests that look at thousands of documents.
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
