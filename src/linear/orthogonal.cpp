@@ -74,7 +74,7 @@ DenseVector<std::complex<long double>> eigenvalues(const DenseMatrix<long double
   return Eigen::EigenSolver<DenseMatrix<long double>>(a, false).eigenvalues();
 }
 
-// By GSL: it is compiled already, and one-sided rotations find the small ones as well as the large.
+// By GSL, which is compiled already.
 SingularValues singular_values(const DenseMatrix<double>& a) {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const auto n = static_cast<std::size_t>(a.cols());
