@@ -11,9 +11,9 @@ namespace vcrit::app {
 struct IndenterAnswer {
   indenter::Friction friction;
   std::vector<indenter::CellMotion> cells;  ///< evenly spaced over half of the width
-  double radius = 0;                  ///< of contact under the mean indentation, m
-  double edge = 0;                    ///< the largest radius of contact, m
-  bool on_drive = false;              ///< that gives: its cells are known as a whole alone
+  double radius = 0;                        ///< of contact under the mean indentation, m
+  double edge = 0;                          ///< the largest radius of contact, m
+  bool on_drive = false;                    ///< that gives: its cells are known as a whole alone
 };
 
 /// velocity in m/s. Throws InputError, ModelError.

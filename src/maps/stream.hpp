@@ -18,7 +18,7 @@ struct StreamProgress {
 
 struct StreamOptions {
   bool resume = false;
-  int threads = 0;                              ///< 0: as many as there are cores for this process
+  int threads = 0;  ///< 0: as many as there are cores for this process
   std::function<void(const StreamProgress&)> told{};  ///< after each block, on the first rank
 };
 

@@ -19,10 +19,10 @@ class SymbolicModel;
 
 /// Handed on to all who ask something of the formula: nothing is derived twice.
 struct Derivation {
-  Problem problem;                     ///< whose formula it is
+  Problem problem;  ///< whose formula it is
   std::shared_ptr<const SymbolicModel>
-      model;                           ///< the scene prepared: what limits and the like start from
-  std::vector<Line> lines;             ///< from the equations of motion to the result
+      model;                       ///< the scene prepared: what limits and the like start from
+  std::vector<Line> lines;         ///< from the equations of motion to the result
   Expression critical_velocity;    ///< v*, real, in the scene's symbols (and in definitions, and in
                                    ///< R_d, the complex receptance of a measured drive)
   std::vector<Line> definitions;   ///< names in critical_velocity where it is too large to be

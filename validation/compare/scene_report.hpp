@@ -56,9 +56,9 @@ struct ShownEquation {
 struct ShownVelocity {
   ShownFormula formula;
   std::vector<ShownEquation> definitions;  ///< of names in it
-  std::string ratio;                  ///< where K_n/K_t comes from; else empty
-  bool is_real = false;               ///< the shortest form; else in complex stiffnesses
-  std::string ratio_markup = {};      ///< with MathML
+  std::string ratio;                       ///< where K_n/K_t comes from; else empty
+  bool is_real = false;                    ///< the shortest form; else in complex stiffnesses
+  std::string ratio_markup = {};           ///< with MathML
 };
 
 /// What the formula says; see symbolic::Fact.
@@ -205,10 +205,10 @@ struct StateMap {
 /// A scene whose contact may open.
 struct Separation {
   bool opens = false;
-  bool closed_form = true;            ///< v* is Eq. 24, else simulated
-  double critical_velocity = 0;       ///< of the motion, m/s; may be infinite
-  double drive_velocity = 0;          ///< the same of the drive
-  double border = 0;                  ///< du_z/u_z0 beyond which the contact opens
+  bool closed_form = true;       ///< v* is Eq. 24, else simulated
+  double critical_velocity = 0;  ///< of the motion, m/s; may be infinite
+  double drive_velocity = 0;     ///< the same of the drive
+  double border = 0;             ///< du_z/u_z0 beyond which the contact opens
   std::vector<ShownEquation>
       derivation;                     ///< of v* where the contact opens; empty without closed form
   std::vector<FrictionCurve> curves;  ///< by increasing amplitude
