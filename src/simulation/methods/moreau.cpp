@@ -115,10 +115,26 @@ class Stepper {
   std::size_t steps() const { return bounds_.size(); }
 
   Period run(const MapState& state) const {
+    if (masses_) return run_on<Above::masses>(state);
+    return equations_.body ? run_on<Above::body>(state) : run_on<Above::drive>(state);
+  }
+
+ private:
+  /// What the contact hangs on. Known before the steps, of which each is short: asking in each
+  /// takes a fifth of it.
+  enum class Above { drive, body, masses };
+
+  struct Outcome {
+    double force, velocity;  ///< of the contact point
+    Motion motion;
+  };
+
+  template <Above above>
+  Period run_on(const MapState& state) const {
     Period period{state, 0, {}, infinity};
     double* const y = period.end.y.data();
     for (std::size_t i = 0; i < bounds_.size(); ++i) {
-      const auto [force, velocity, motion] = step(y, bounds_[i]);
+      const auto [force, velocity, motion] = step<above>(y, bounds_[i]);
       period.deficit += bounds_[i] - force;
       period.slowest = std::min(period.slowest, velocity);
       if (motion == period.end.motion) continue;
@@ -129,18 +145,13 @@ class Stepper {
     return period;
   }
 
- private:
-  struct Outcome {
-    double force, velocity;  ///< of the contact point
-    Motion motion;
-  };
-
+  template <Above above>
   Outcome step(double* y, double bound) const {
     double* const forces = y + equations_.contact_begin();
-    const bool moves = equations_.body || masses_;
+    constexpr bool moves = above != Above::drive;
     const double law = on_point_.offset(forces), load = on_body_.offset(forces);
-    const double resistance = masses_ ? 1 / masses_->give : inertia_ + from_drive_.slope;
-    const double push = moves ? unloaded(y, resistance) - load : 0;
+    const double resistance = resistance_of<above>();
+    const double push = moves ? unloaded<above>(y, resistance) - load : 0;
     double top = moves ? push / (resistance + on_body_.slope) : equations_.velocity;
     double deformation = top, force = law + on_point_.slope * top;
     Motion motion = Motion::stick;
@@ -150,18 +161,26 @@ class Stepper {
       deformation = (force - law) / on_point_.slope;
       if (moves) top = (push - on_body_.slope * deformation) / resistance;
     }
-    if (masses_) masses_->take(y, load + on_body_.slope * deformation);
+    if constexpr (above == Above::masses) masses_->take(y, load + on_body_.slope * deformation);
     contact_.step(forces, deformation);
-    if (equations_.body) {
+    if constexpr (above == Above::body) {
       drive_.step(y + 1, equations_.velocity - top);
       y[0] += (top - y[0]) / theta_;
     }
     return {force, top - deformation, motion};
   }
 
+  template <Above above>
+  double resistance_of() const {
+    if constexpr (above == Above::masses) return 1 / masses_->give;
+    return inertia_ + from_drive_.slope;
+  }
+
   /// The force that would hold the body's end still, without the contact.
+  template <Above above>
   double unloaded(const double* y, double resistance) const {
-    if (masses_) return resistance * (equations_.velocity + masses_->velocity(y));
+    if constexpr (above == Above::masses)
+      return resistance * (equations_.velocity + masses_->velocity(y));
     return inertia_ * y[0] + from_drive_.offset(y + 1) + from_drive_.slope * equations_.velocity;
   }
 
