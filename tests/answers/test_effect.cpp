@@ -225,8 +225,7 @@ BOOST_AUTO_TEST_CASE(below_an_indenter_the_limit_at_rest_does_not_ask_for_the_dr
                        .indenter = "shape = \"parabola\"\nradius = 1\n",
                        .angular_frequency = 1,
                        .amplitude = 0.3,
-                       .indentation = {},
-                       .more = "[load]\nforce = 2\n"};
+                       .force = 2};
   ball.elements = {{"E0", 1}, {"E1", 0.8}, {"c1", 0.4}};
   const std::complex<double> lag(0, 0.5);
   const double swing = 0.3 * std::abs(1.0 + 0.8 * lag / (1.0 + lag));
@@ -258,8 +257,7 @@ BOOST_AUTO_TEST_CASE(under_a_load_the_largest_amplitude_does_not_ask_for_the_pre
                                              : "shape = \"parabola\"\nradius = 1\n",
                             .angular_frequency = 1,
                             .amplitude = share * expected,
-                            .indentation = {},
-                            .more = "[load]\n" + test::Toml(load).line("force")};
+                            .force = load};
         tip.elements = {{"E", 1}};
         const auto found = largest_closed_amplitude(test::scene_of(tip));
         BOOST_TEST_REQUIRE(found.has_value());

@@ -38,9 +38,11 @@ struct Machine {
             .tangential = "kt | ct",
             .network = "kd | cd",
             .mass = m,
+            .mount = "km | cm",
+            .mount_mass = shared ? test::Toml("m") : test::Toml(mn),
             .angular_frequency = omega,
             .amplitude = amplitude,
-            .indentation = {},
+            .force = force,
             .coefficient = coefficient,
             .elements = {{"km", km},
                          {"cm", cm},
@@ -49,10 +51,7 @@ struct Machine {
                          {"kt", kt},
                          {"ct", ct},
                          {"kd", kd},
-                         {"cd", cd}},
-            .more = "[load]\n" + test::Toml(force).line("force") +
-                    "[mount]\nnetwork = \"km | cm\"\n" +
-                    (shared ? test::Toml("m") : test::Toml(mn)).line("mass")};
+                         {"cd", cd}}};
   }
   Problem problem() const { return test::scene_of(text()); }
 
@@ -151,7 +150,7 @@ BOOST_AUTO_TEST_CASE(a_stiff_mount_is_none) {
   Machine machine;
   machine.km = 1e12;
   test::SceneText given = machine.text();
-  given.more = "[load]\nforce = 1.0\n";
+  given.mount = given.mount_mass = {};
   given.elements.erase(given.elements.begin(), given.elements.begin() + 2);
   const double without = critical_onset(test::scene_of(given)).contact_velocity;
   BOOST_TEST(critical_onset(machine.problem()).contact_velocity == without,
@@ -173,12 +172,12 @@ BOOST_AUTO_TEST_CASE(a_stiff_contact_is_driven_by_a_force) {
 BOOST_AUTO_TEST_CASE(a_mount_without_mass_is_in_series) {
   const Problem problem = test::scene_of({.normal = "kn",
                                           .tangential_ratio = 0.8,
+                                          .mount = "km",
                                           .angular_frequency = 2,
                                           .amplitude = 0.1,
                                           .indentation = 1,
                                           .coefficient = 0.3,
-                                          .elements = {{"kn", 3}, {"km", 2}},
-                                          .more = "[mount]\nnetwork = \"km\"\n"});
+                                          .elements = {{"kn", 3}, {"km", 2}}});
   BOOST_TEST(critical_onset(problem).contact_velocity == 0.3 * 2 * 0.1 / 0.8 * 2 / 5,
              boost::test_tools::tolerance(1e-15));
   const Effect effect = effect_of(problem);
@@ -193,12 +192,12 @@ BOOST_AUTO_TEST_CASE(the_rheology_is_back_in_an_isotropic_contact) {
   const auto velocity = [](double c) {
     return critical_onset(test::scene_of({.normal = "kn | cn",
                                           .tangential_ratio = 0.8,
+                                          .mount = "km",
                                           .angular_frequency = 2,
                                           .amplitude = 0.1,
                                           .indentation = 1,
                                           .coefficient = 0.3,
-                                          .elements = {{"kn", 3}, {"cn", c}, {"km", 2}},
-                                          .more = "[mount]\nnetwork = \"km\"\n"}))
+                                          .elements = {{"kn", 3}, {"cn", c}, {"km", 2}}}))
         .contact_velocity;
   };
   for (const double c : {0.1, 1.0, 4.0})
@@ -216,7 +215,7 @@ BOOST_AUTO_TEST_CASE(a_mount_is_a_factor_of_any_drive) {
     if (drive.find("ms") != std::string::npos) with.elements.push_back({"ms", 0.7});
     if (drive.find("ks") != std::string::npos) with.elements.push_back({"ks", 0.9});
     test::SceneText without = with;
-    without.more = "[load]\nforce = 1.0\n";
+    without.mount = without.mount_mass = {};
     without.elements.erase(without.elements.begin(), without.elements.begin() + 2);
     const auto left = static_cast<double>(std::abs(machine.height())) / machine.amplitude;
     BOOST_TEST(critical_onset(test::scene_of(with)).contact_velocity ==
@@ -230,12 +229,13 @@ BOOST_AUTO_TEST_CASE(an_undamped_mount_resonates) {
   const auto scene = [](double mass) -> Problem {
     return test::scene_of({.normal = "kn",
                            .tangential_ratio = 0.8,
+                           .mount = "km",
+                           .mount_mass = mass,
                            .angular_frequency = 2,
                            .amplitude = 1e-9,
                            .indentation = 1,
                            .coefficient = 0.3,
-                           .elements = {{"kn", 3}, {"km", 2}},
-                           .more = "[mount]\nnetwork = \"km\"\n" + test::Toml(mass).line("mass")});
+                           .elements = {{"kn", 3}, {"km", 2}}});
   };
   BOOST_TEST(std::isinf(certified_critical_velocity(scene(1.25)).value));
   BOOST_TEST(!rules::answer(rules::Question::admissible, scene(1.25)));

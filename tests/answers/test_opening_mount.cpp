@@ -32,24 +32,20 @@ struct Machine {
   test::Elements elements;
   double amplitude = 1, force = 1, km = 2;  // km: K_m(0)
 
-  test::SceneText text(const std::string& normal, const std::string& more) const {
+  test::SceneText text(const std::string& normal, const test::Toml& mount_path = {}) const {
     return {.normal = normal,
             .tangential = path,
             .separation = true,
             .network = drive.empty() ? test::Toml{} : test::Toml{drive},
+            .mount = mount_path,
             .angular_frequency = 1.3,
             .amplitude = amplitude,
-            .indentation = {},
+            .force = force,
             .coefficient = 0.4,
-            .elements = elements,
-            .more = "[load]\n" + test::Toml(force).line("force") + more};
+            .elements = elements};
   }
-  Problem mounted() const {
-    return test::scene_of(text(contact, "[mount]\nnetwork = \"" + mount + "\"\n"));
-  }
-  Problem in_series() const {
-    return test::scene_of(text("(" + mount + ") - (" + contact + ")", ""));
-  }
+  Problem mounted() const { return test::scene_of(text(contact, mount)); }
+  Problem in_series() const { return test::scene_of(text("(" + mount + ") - (" + contact + ")")); }
 };
 
 // Opens: the force of the springs alone would swing by some two loads.
@@ -69,8 +65,8 @@ Machine random_machine(std::mt19937& random) {
     element("k1", 1);
   }
   machine.amplitude = log_uniform(random, 0.5, 3);
-  machine.force = machine.amplitude * log_uniform(random, 0.1, 0.6) * machine.km * kn /
-                  (machine.km + kn);
+  machine.force =
+      machine.amplitude * log_uniform(random, 0.1, 0.6) * machine.km * kn / (machine.km + kn);
   return machine;
 }
 
@@ -98,10 +94,11 @@ BOOST_AUTO_TEST_CASE(motion_is_that_of_mount_and_contact_in_series) {
     const double depth = simulation::mean_indentation(mounted);
     BOOST_TEST(std::abs(depth + machine.force / machine.km -
                         simulation::mean_indentation(in_series)) < 1e-11 * machine.amplitude);
-    with_another += std::abs(one.contact_velocity /
-                                 critical_onset(test::scene_of(machine.text(machine.contact, "")))
-                                     .contact_velocity -
-                             1) > 0.01;
+    with_another +=
+        std::abs(
+            one.contact_velocity /
+                critical_onset(test::scene_of(machine.text(machine.contact))).contact_velocity -
+            1) > 0.01;
     BOOST_TEST(!below_mount(mounted).has_value());
     BOOST_TEST(under_load(mounted)->mean_normal_force == machine.force);
   }
@@ -120,8 +117,7 @@ BOOST_AUTO_TEST_CASE(springs_have_a_closed_form) {
   const double k = 2 * 3.0 / (2 + 3), U = machine.amplitude;
   for (const double share : {0.4, -0.3}) {
     const double u = share * U;
-    machine.force =
-        k * (std::sqrt(U * U - u * u) + u * std::acos(-u / U)) / std::numbers::pi;
+    machine.force = k * (std::sqrt(U * U - u * u) + u * std::acos(-u / U)) / std::numbers::pi;
     const Problem problem = machine.mounted();
     BOOST_TEST(simulation::mean_indentation(problem) == u - machine.force / 2,
                boost::test_tools::tolerance(1e-10));
@@ -144,8 +140,7 @@ BOOST_AUTO_TEST_CASE(a_contact_that_may_open_and_does_not_is_closed) {
   std::mt19937 random(5);
   Machine machine = random_machine(random);
   machine.force *= 100;
-  test::SceneText closed =
-      machine.text(machine.contact, "[mount]\nnetwork = \"" + machine.mount + "\"\n");
+  test::SceneText closed = machine.text(machine.contact, machine.mount);
   closed.separation = {};
   const Problem one = machine.mounted(), other = test::scene_of(closed);
   const CriticalOnset onset = critical_onset(one);
@@ -165,27 +160,28 @@ BOOST_AUTO_TEST_CASE(a_stiff_mount_is_none) {
   machine.mount = "k9";
   machine.elements.emplace_back("k9", 1e9);
   machine.force *= 2;
-  const Problem without = test::scene_of(machine.text(machine.contact, ""));
+  const Problem without = test::scene_of(machine.text(machine.contact));
   BOOST_TEST(critical_onset(machine.mounted()).contact_velocity ==
                  critical_onset(without).contact_velocity,
              boost::test_tools::tolerance(1e-7));
-  BOOST_TEST(simulation::mean_indentation(machine.mounted()) ==
-                 simulation::mean_indentation(without),
-             boost::test_tools::tolerance(1e-7));
+  BOOST_TEST(
+      simulation::mean_indentation(machine.mounted()) == simulation::mean_indentation(without),
+      boost::test_tools::tolerance(1e-7));
 }
 
 BOOST_AUTO_TEST_CASE(without_a_load_or_with_a_mass_it_is_refused) {
-  const auto said = [](const std::string& more, test::Toml indentation) {
+  const auto said = [](const test::Toml& force, const test::Toml& mass = {}) {
     test::SceneText text{.separation = true,
-                         .indentation = std::move(indentation),
-                         .elements = {{"kn", 1}, {"km", 1}},
-                         .more = more};
-    return test::refusal<ModelError>([&] { rules::require(rules::Question::motion, test::scene_of(text)); });
+                         .mount = "km",
+                         .mount_mass = mass,
+                         .force = force,
+                         .elements = {{"kn", 1}, {"km", 1}}};
+    return test::refusal<ModelError>(
+        [&] { rules::require(rules::Question::motion, test::scene_of(text)); });
   };
-  const std::string mount = "[mount]\nnetwork = \"km\"\n", load = "[load]\nforce = 1.0\n";
-  BOOST_TEST(said(load + mount, {}) == "accepted");
-  BOOST_TEST(test::has(said(mount, 1), "needs a load for its mean force, and none is given"));
-  BOOST_TEST(test::has(said(load + mount + "mass = 1.0\n", {}), "react on each other"));
+  BOOST_TEST(said(1) == "accepted");
+  BOOST_TEST(test::has(said({}), "needs a load for its mean force, and none is given"));
+  BOOST_TEST(test::has(said(1, 1), "react on each other"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

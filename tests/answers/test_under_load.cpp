@@ -80,8 +80,7 @@ struct Row {
 
   Scene under_load() const {
     test::SceneText given = text;
-    given.indentation = {};
-    given.more = "[load]\n" + test::Toml(force).line("force");
+    given.force = force;
     return test::scene_of(given);
   }
   Problem with_indentation(double depth) const {
@@ -107,10 +106,9 @@ Problem kelvin(double force, double amplitude, bool separation = true) {
                          .separation = separation,
                          .angular_frequency = 1,
                          .amplitude = amplitude,
-                         .indentation = {},
+                         .force = force,
                          .coefficient = 0.3,
-                         .elements = {{"kn", 1}, {"cn", 0.5}, {"kt", 0.8}, {"ct", 0.4}},
-                         .more = "[load]\n" + test::Toml(force).line("force")});
+                         .elements = {{"kn", 1}, {"cn", 0.5}, {"kt", 0.8}, {"ct", 0.4}}});
 }
 
 }  // namespace
@@ -220,10 +218,9 @@ BOOST_AUTO_TEST_CASE(a_contact_that_creeps_sinks) {
                            .separation = separation.empty() ? test::Toml() : test::Toml(true),
                            .angular_frequency = 1,
                            .amplitude = amplitude,
-                           .indentation = {},
+                           .force = 3.0,
                            .coefficient = 0.3,
-                           .elements = {{"kn", 1}, {"cn", 2}, {"kt", 0.8}},
-                           .more = "[load]\nforce = 3.0\n"});
+                           .elements = {{"kn", 1}, {"cn", 2}, {"kt", 0.8}}});
   };
   const Problem problem = scene("", 1);
   const auto pressed = under_load(problem);
@@ -237,10 +234,9 @@ BOOST_AUTO_TEST_CASE(a_contact_that_creeps_sinks) {
                                           .tangential = "kt",
                                           .angular_frequency = 1,
                                           .amplitude = 1,
-                                          .indentation = {},
+                                          .force = 3.0,
                                           .coefficient = 0.3,
-                                          .elements = {{"kn", stiffness}, {"kt", 0.8}},
-                                          .more = "[load]\nforce = 3.0\n"});
+                                          .elements = {{"kn", stiffness}, {"kt", 0.8}}});
   const double v = critical_onset(elastic).contact_velocity;
   BOOST_TEST(critical_onset(problem).contact_velocity == v, boost::test_tools::tolerance(1e-14));
   BOOST_TEST(std::abs(SteadyFriction(problem).at(0.3 * v).friction_ratio -
@@ -282,16 +278,14 @@ BOOST_AUTO_TEST_CASE(the_closed_share_of_a_load_is_a_compliance) {
 // the force. The cells at the rim, whose depth is lost in rounding, take no work without end.
 BOOST_AUTO_TEST_CASE(a_small_amplitude_leaves_the_depth_of_hertz) {
   for (const double amplitude : {1e-4, 1e-6, 1e-8, 1e-10}) {
-    const Problem problem =
-        test::scene_of({.normal = "spring(E)",
-                        .poisson = 0.3,
-                        .indenter = "shape = \"parabola\"\nradius = 1\n",
-                        .angular_frequency = 1,
-                        .amplitude = amplitude,
-                        .indentation = {},
-                        .coefficient = 0.3,
-                        .elements = {{"E", 0.91}},
-                        .more = "[load]\nforce = 36\n"});
+    const Problem problem = test::scene_of({.normal = "spring(E)",
+                                            .poisson = 0.3,
+                                            .indenter = "shape = \"parabola\"\nradius = 1\n",
+                                            .angular_frequency = 1,
+                                            .amplitude = amplitude,
+                                            .force = 36,
+                                            .coefficient = 0.3,
+                                            .elements = {{"E", 0.91}}});
     // E* = 1: the depth at rest is 27^(2/3).
     const double share = amplitude / 9, expected = 9 * (1 - share * share / 8);
     BOOST_TEST(simulation::mean_indentation(problem) == expected,
@@ -308,10 +302,9 @@ BOOST_AUTO_TEST_CASE(a_flat_punch_is_pressed_as_one_contact) {
                            .indenter = indenter,
                            .angular_frequency = 1,
                            .amplitude = 1,
-                           .indentation = {},
+                           .force = 0.3,
                            .coefficient = 0.3,
-                           .elements = {{"E", modulus}, {"eta", 0.5 * modulus}},
-                           .more = "[load]\nforce = 0.3\n"});
+                           .elements = {{"E", modulus}, {"eta", 0.5 * modulus}}});
   };
   const double punch = simulation::mean_indentation(scene("shape = \"flat\"\nradius = 2.0\n", 1));
   const double one = simulation::mean_indentation(scene("", 4));

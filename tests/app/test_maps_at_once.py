@@ -6,6 +6,7 @@ import subprocess
 import unittest
 from pathlib import Path
 
+import scene_text
 from map_cases import Case, LONGER, PROGRAM, ZENER, command, sweep
 
 
@@ -70,9 +71,8 @@ class OneAtATime(Case):
 
     def test_the_table_of_an_indenter_belongs_to_its_sweep(self):
         table, scene = self.folder / "tab.csv", self.folder / "tab.toml"
-        scene.write_text('[contact]\nnormal = "k0"\npoisson = 0.3\n[indenter]\nshape = "tab.csv"\n[oscillation]\n'
-                         'frequency = "20 kHz"\namplitude = 1e-7\nindentation = 5e-7\n[friction]\ncoefficient = 0.3\n'
-                         '[elements]\nk0 = 1e9\n')
+        scene.write_text(scene_text.scene({"k0": 1e9}, normal="k0", shape="tab.csv", frequency="20 kHz", amplitude=1e-7,
+                                          indentation=5e-7))
         table.write_text("r,f\n0,0\n2e-4,4e-6\n")
         arguments = [str(scene), "--over", "amplitude=lin:1e-8:3e-7:1500", "--velocity", "1e-3", "--quantity",
                      "friction_ratio", "--out", str(self.folder / "t.csv")]

@@ -7,7 +7,7 @@ import unittest
 
 import drivers
 from example_scenes import with_formula
-from program import PROGRAM, PROJECT, Case, example, run, settings
+from program import PROGRAM, PROJECT, Case, example, run, scene, settings
 
 KELVIN, DRIVE = example("kelvin"), example("elastic_drive")
 RESONANCE = settings({"omega": 1000, "m": 2, "kd": 2e6})
@@ -210,15 +210,16 @@ class Mistakes(Case):
                          "--plain"], "rk8pd has not settled after")
 
     def test_errors_name_file_line_found_and_expected(self):
-        self.text_refused('[contact]\nnormal = "k0 | (k1 - c1"\npoisson = 0.3\n', "s.toml:2:16", "found", "expected")
+        self.text_refused(scene(normal="k0 | (k1 - c1"), "s.toml:2:16", "found", "expected")
 
     def test_every_command_refuses_a_wrong_scene_and_writes_nothing(self):
         for command in ["derive", "eval", "generate", "critical", "validate"]:
             with self.subTest(command=command):
-                self.text_refused('[contact]\nnorml = "k"\npoisson = 0.3\n', "norml", command=command)
+                self.text_refused(scene().replace("normal", "norml"), "norml", command=command)
 
     def test_missing_values_are_named_at_once(self):
-        self.text_refused('[contact]\nnormal = "kn | cn"\npoisson = 0.3\n', "kn", "cn", "mu0", "omega", "du_z", "u_z0")
+        text = scene(normal="kn | cn", angular_frequency=None, amplitude=None, indentation=None, coefficient=None)
+        self.text_refused(text, "kn", "cn", "mu0", "omega", "du_z", "u_z0")
 
     def test_a_missing_file(self):
         self.refused(2, ["eval", "none.toml"], "none.toml")

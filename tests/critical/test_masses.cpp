@@ -13,6 +13,7 @@
 #include "stiffness/dynamic_stiffness.hpp"
 #include "support/nodal.hpp"
 #include "support/random_scene.hpp"
+#include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_masses)
 
@@ -20,24 +21,27 @@ using namespace vcrit;
 
 namespace {
 
-/// kn = 3, mu0 = 1/2, du_z = 1; `rest`: [drive], [body], [networks] and further elements.
-Scene scene(double omega, double kt, const std::string& rest, const std::string& elements) {
-  return parse_scene("[contact]\nnormal = \"kn\"\ntangential = \"kt\"\n" + rest +
-                         "[oscillation]\nangular_frequency = " + std::to_string(omega) +
-                         "\namplitude = 1\nindentation = 2\n[friction]\ncoefficient = 0.5\n"
-                         "[elements]\nkn = 3\nkt = " +
-                         std::to_string(kt) + "\n" + elements,
-                     "s.toml");
+/// kn = 3, mu0 = 1/2, du_z = 1; the drive, its elements and the rest as given.
+Scene scene(double omega, double kt, const std::string& drive, const test::Elements& elements,
+            const test::Toml& mass = {}, const std::string& networks = {}) {
+  test::SceneText text{.tangential = "kt",
+                       .network = drive,
+                       .mass = mass,
+                       .angular_frequency = omega,
+                       .amplitude = 1,
+                       .indentation = 2,
+                       .elements = {{"kn", 3}, {"kt", kt}},
+                       .more = networks};
+  text.elements.insert(text.elements.end(), elements.begin(), elements.end());
+  return test::scene_of(text);
 }
-
-std::string drive(const std::string& network) { return "[drive]\nnetwork = \"" + network + "\"\n"; }
 
 double certified(const Scene& scene) {
   return certified_critical_velocity(as_doubles(scene)).value;
 }
 
-const std::string graph =
-    "[drive]\nnetwork = \"horn\"\n[networks.horn]\nterminals = [\"body\", \"housing\"]\n"
+const std::string horn =
+    "[networks.horn]\nterminals = [\"body\", \"housing\"]\n"
     "edges = [[\"k1\", \"body\", \"1\"], [\"mass(m1)\", \"1\", \"ground\"],\n"
     "[\"k2\", \"1\", \"2\"], [\"mass(m2)\", \"2\", \"housing\"], [\"c2\", \"2\", \"housing\"],\n"
     "[\"k3\", \"body\", \"2\"], [\"k4\", \"2\", \"housing\"], [\"k5 - mass(m3)\", \"1\", "
@@ -46,12 +50,26 @@ const std::string graph =
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_chain_of_three_bodies_and_a_graph_are_what_nodal_analysis_gives) {
-  const Scene chain =
-      scene(1.7, 4.1, drive("mass(m) | k1 - (mass(m2) | c1 | k2 - (mass(m3) | c3 | k3))"),
-            "m = 0.3\nk1 = 2.3\nm2 = 1.1\nc1 = 0.2\nk2 = 5\nm3 = 0.7\nc3 = 0.1\nk3 = 1\n");
-  const Scene wired = scene(1.7, 4.1, graph + "[body]\nmass = 0.4\n",
-                            "k1 = 2.3\nm1 = 1.1\nk2 = 5\nm2 = 0.7\nc2 = 0.1\nk3 = 1.9\nk4 = 0.6\n"
-                            "k5 = 0.8\nm3 = 0.2\n");
+  const Scene chain = scene(1.7, 4.1, "mass(m) | k1 - (mass(m2) | c1 | k2 - (mass(m3) | c3 | k3))",
+                            {{"m", 0.3},
+                             {"k1", 2.3},
+                             {"m2", 1.1},
+                             {"c1", 0.2},
+                             {"k2", 5},
+                             {"m3", 0.7},
+                             {"c3", 0.1},
+                             {"k3", 1}});
+  const Scene wired = scene(1.7, 4.1, "horn",
+                            {{"k1", 2.3},
+                             {"m1", 1.1},
+                             {"k2", 5},
+                             {"m2", 0.7},
+                             {"c2", 0.1},
+                             {"k3", 1.9},
+                             {"k4", 0.6},
+                             {"k5", 0.8},
+                             {"m3", 0.2}},
+                            0.4, horn);
   for (const Scene& s : {chain, wired}) {
     BOOST_TEST(certified(s) == static_cast<double>(test::critical_velocity_by_nodes(s)));
     BOOST_TEST(s.warnings.empty());
@@ -87,10 +105,9 @@ BOOST_AUTO_TEST_CASE(random_masses_round_like_nodal_analysis_at_250_digits) {
 
 BOOST_AUTO_TEST_CASE(a_body_is_a_mass_at_the_near_end_of_the_drive) {
   for (const double omega : {0.3, 1.9, 2.0, 77.7}) {
-    const Scene body =
-        scene(omega, 4, drive("kd | cd") + "[body]\nmass = 1.3\n", "kd = 5.2\ncd = 0.01\n");
+    const Scene body = scene(omega, 4, "kd | cd", {{"kd", 5.2}, {"cd", 0.01}}, 1.3);
     const Scene inside =
-        scene(omega, 4, drive("mass(m) | kd | cd"), "kd = 5.2\ncd = 0.01\nm = 1.3\n");
+        scene(omega, 4, "mass(m) | kd | cd", {{"kd", 5.2}, {"cd", 0.01}, {"m", 1.3}});
     BOOST_TEST(!inside.mass.has_value());
     BOOST_TEST(certified(body) == certified(inside));
   }
@@ -98,32 +115,31 @@ BOOST_AUTO_TEST_CASE(a_body_is_a_mass_at_the_near_end_of_the_drive) {
 
 // m0 = 1, m1 = 2, k1 = 2, k2 = 4: 2 (lambda - 1)(lambda - 4) is the determinant of the chain.
 BOOST_AUTO_TEST_CASE(a_chain_of_two_masses_has_two_resonances) {
-  const std::string chain = drive("k1 - (mass(m1) | k2)") + "[body]\nmass = 1\n";
+  const std::string chain = "k1 - (mass(m1) | k2)";
   for (const double omega : {1.0, 2.0}) {
     const auto velocity =
-        certified_critical_velocity(scene(omega, 4, chain, "k1 = 2\nm1 = 2\nk2 = 4\n"));
+        certified_critical_velocity(scene(omega, 4, chain, {{"k1", 2}, {"m1", 2}, {"k2", 4}}, 1));
     BOOST_TEST(std::isinf(velocity.value));
     BOOST_TEST(velocity.reason.find("resonance: K_d = m omega^2") != std::string::npos);
     const auto inside = certified_critical_velocity(scene(
-        omega, 4, drive("mass(m) | k1 - (mass(m1) | k2)"), "m = 1\nk1 = 2\nm1 = 2\nk2 = 4\n"));
+        omega, 4, "mass(m) | k1 - (mass(m1) | k2)", {{"m", 1}, {"k1", 2}, {"m1", 2}, {"k2", 4}}));
     BOOST_TEST(std::isinf(inside.value));
     BOOST_TEST(inside.reason.find("resonance: K_d = 0") != std::string::npos);
   }
-  BOOST_TEST(std::isfinite(certified(scene(1.5, 4, chain, "k1 = 2\nm1 = 2\nk2 = 4\n"))));
+  BOOST_TEST(std::isfinite(certified(scene(1.5, 4, chain, {{"k1", 2}, {"m1", 2}, {"k2", 4}}, 1))));
 }
 
 // (k_t + k1 - m0)(k1 + k2 - m1) = k1^2 at omega = 1.
 BOOST_AUTO_TEST_CASE(antiresonance_of_a_chain_is_zero) {
-  const auto velocity = certified_critical_velocity(scene(
-      1, 1, drive("k1 - (mass(m1) | k2)") + "[body]\nmass = 1\n", "k1 = 2\nm1 = 2\nk2 = 2\n"));
+  const auto velocity = certified_critical_velocity(
+      scene(1, 1, "k1 - (mass(m1) | k2)", {{"k1", 2}, {"m1", 2}, {"k2", 2}}, 1));
   BOOST_TEST(velocity.value == 0);
   BOOST_TEST(velocity.relative_error_bound == 0);
 }
 
 // k1 = m1 omega^2: the absorber takes all of the force, the body stands still, K_d is infinite.
 BOOST_AUTO_TEST_CASE(a_tuned_absorber_makes_the_drive_rigid) {
-  const Scene tuned = scene(2, 4, drive("kd | k1 - mass(m1)") + "[body]\nmass = 1.7\n",
-                            "kd = 0.3\nk1 = 8\nm1 = 2\n");
+  const Scene tuned = scene(2, 4, "kd | k1 - mass(m1)", {{"kd", 0.3}, {"k1", 8}, {"m1", 2}}, 1.7);
   BOOST_TEST(certified(tuned) == 0.5 * 2 * 1 * 3 / 4);
   BOOST_TEST(tuned.warnings.empty());
 }
@@ -132,31 +148,31 @@ BOOST_AUTO_TEST_CASE(a_tuned_absorber_makes_the_drive_rigid) {
 // K_d = k1 + k1^2 (k2 + k3)/k2^2 = 3.
 BOOST_AUTO_TEST_CASE(a_vanishing_pivot_is_no_resonance) {
   const Scene s =
-      scene(2, 4, drive("k1 - (mass(m1) | k2 - k3)"), "k1 = 1\nk2 = 1\nk3 = 1\nm1 = 0.5\n");
+      scene(2, 4, "k1 - (mass(m1) | k2 - k3)", {{"k1", 1}, {"k2", 1}, {"k3", 1}, {"m1", 0.5}});
   BOOST_TEST(certified(s) == 0.5 * 2 * 1 * 3 / 4.0 * 7 / 3);
 }
 
 // Two absorbers tuned to one frequency: their forces on the standing body are not determined.
 BOOST_AUTO_TEST_CASE(absorbers_tuned_alike_are_told) {
-  const Scene s = scene(2, 4, drive("kd | k1 - mass(m1) | k2 - mass(m2)"),
-                        "kd = 1\nk1 = 8\nm1 = 2\nk2 = 4\nm2 = 1\n");
+  const Scene s = scene(2, 4, "kd | k1 - mass(m1) | k2 - mass(m2)",
+                        {{"kd", 1}, {"k1", 8}, {"m1", 2}, {"k2", 4}, {"m2", 1}});
   BOOST_CHECK_THROW(certified_critical_velocity(s), ModelError);
 }
 
 // Masses do not move while the drive creeps: c1 - (m1 | c2) has 1/eta = 1/c1 + 1/c2 = 3/2, under
 // mu0 k_n u_z0 = 3.
 BOOST_AUTO_TEST_CASE(masses_do_not_creep) {
-  const Scene s = scene(2, 4, drive("c1 - (mass(m1) | c2)"), "c1 = 2\nm1 = 5\nc2 = 1\n");
+  const Scene s = scene(2, 4, "c1 - (mass(m1) | c2)", {{"c1", 2}, {"m1", 5}, {"c2", 1}});
   BOOST_TEST(std::abs(creep_velocity(s) - 4.5) <= 1e-15 * 4.5 * 4);
   BOOST_TEST(
-      creep_velocity(scene(2, 4, drive("k1 - (mass(m1) | k2)"), "k1 = 2\nm1 = 5\nk2 = 1\n")) == 0);
+      creep_velocity(scene(2, 4, "k1 - (mass(m1) | k2)", {{"k1", 2}, {"m1", 5}, {"k2", 1}})) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_mass_of_value_0_is_left_out) {
-  const std::string values = "k1 = 2\nk2 = 1\nm1 = 0\n";
-  BOOST_TEST(certified(scene(2, 4, drive("k1 - (mass(m1) | k2)"), values)) ==
-             certified(scene(2, 4, drive("k1 - k2"), "k1 = 2\nk2 = 1\n")));
-  BOOST_CHECK(scene(2, 4, drive("k2 | k1 - mass(m1)"), values).drive.value() == spring({"k2"}));
+  const test::Elements values{{"k1", 2}, {"k2", 1}, {"m1", 0}};
+  BOOST_TEST(certified(scene(2, 4, "k1 - (mass(m1) | k2)", values)) ==
+             certified(scene(2, 4, "k1 - k2", {{"k1", 2}, {"k2", 1}})));
+  BOOST_CHECK(scene(2, 4, "k2 | k1 - mass(m1)", values).drive.value() == spring({"k2"}));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

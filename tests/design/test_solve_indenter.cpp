@@ -40,10 +40,7 @@ SceneText tip(const std::string& shape, bool load) {
                  .indentation = 1,
                  .coefficient = 0.3,
                  .elements = {{"E", 1}}};
-  if (load) {
-    text.indentation = {};
-    text.more = "[load]\nforce = 1\n";
-  }
+  if (load) text.force = 1;
   return text;
 }
 

@@ -27,13 +27,13 @@ struct Machine {
 
   Problem problem() const {
     return test::scene_of({.tangential = "kt",
+                           .mount = "km",
+                           .mount_mass = mn,
                            .angular_frequency = 1,
                            .amplitude = amplitude,
-                           .indentation = {},
+                           .force = force,
                            .coefficient = mu0,
-                           .elements = {{"kn", kn}, {"kt", kt}, {"km", km}},
-                           .more = "[load]\n" + test::Toml(force).line("force") +
-                                   "[mount]\nnetwork = \"km\"\n" + test::Toml(mn).line("mass")});
+                           .elements = {{"kn", kn}, {"kt", kt}, {"km", km}}});
   }
   double height(double omega) const {
     return amplitude * km / std::abs(km + kn - mn * omega * omega);

@@ -216,19 +216,8 @@ class Names(Evaluated):
 
     def test_of_a_measured_drive_and_of_quantities(self):
         table = self.write("omega,Re,Im\n1,1,-0.5\n2.5,0.5,-0.25\n4,0.25,-0.125\n", "drive.csv")
-        scene = self.write(f"""[contact]
-normal = "lossy(k, zeta) | gamma"
-tangential = "kt"
-[drive]
-receptance = "{table.name}"
-[body]
-mass = "Q"
-[oscillation]
-angular_frequency = "pi"
-amplitude = "N"
-[friction]
-coefficient = "E"
-""".replace("gamma", "damper(gamma)"))
+        scene = self.scene(normal="lossy(k, zeta) | damper(gamma)", tangential="kt", receptance=table.name, mass="Q",
+                           angular_frequency="pi", amplitude="N", indentation=None, coefficient="E")
         values = {"k": 1.5, "zeta": 0.25, "gamma": 0.75, "kt": 2.25, "Q": 0.375, "pi": 2.5, "N": 0.125, "E": 0.375}
         answer = self.answer("eval", scene, *(word for name, value in values.items() for word in ("--set", f"{name}={value}")),
                              "--set", "u_z0=1")

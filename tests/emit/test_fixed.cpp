@@ -31,23 +31,22 @@ Scene stored(const std::string& name, const Settings& settings = {}) {
 
 /// All pairs of eight nodes but the terminals: too many spanning trees, so that it is meshed.
 Scene meshed() {
-  std::string edges, elements;
+  std::string edges;
+  test::Elements elements{{"kt", 8e6}, {"ct", 3}, {"kd", 5e6}};
   for (int a = 0, n = 0; a < 8; ++a)
     for (int b = std::max(a + 1, 2); b < 8; ++b, ++n) {
       // At node 2 only springs meet.
       const std::string name = (a == 2 || b == 2 || n % 3 == 0 ? "k" : "c") + std::to_string(n);
       edges += fmt::format("[\"{}\", \"{}\", \"{}\"], ", name, a, b);
-      elements += fmt::format("{} = {}\n", name, name[0] == 'k' ? 1e6 + 3e5 * n : 7 + 0.3 * n);
+      elements.emplace_back(name, name[0] == 'k' ? 1e6 + 3e5 * n : 7 + 0.3 * n);
     }
-  return parse_scene(
-      "[contact]\nnormal = \"g\"\ntangential = \"kt | ct\"\n[networks.g]\n"
-      "terminals = [\"0\", \"1\"]\nedges = [" +
-          edges +
-          "]\n"
-          "[drive]\nnetwork = \"kd\"\n[body]\nmass = 0.0003\n"
-          "[elements]\nkt = 8e6\nct = 3\nkd = 5e6\n" +
-          elements,
-      "meshed.toml");
+  return scene_of(test::symbolic(
+      {.normal = "g",
+       .tangential = "kt | ct",
+       .network = "kd",
+       .mass = 0.0003,
+       .elements = elements,
+       .more = "[networks.g]\nterminals = [\"0\", \"1\"]\nedges = [" + edges + "]\n"}));
 }
 
 std::vector<Case> cases() {
@@ -65,13 +64,20 @@ std::vector<Case> cases() {
   // Folded constants far beyond ordinary sizes, and of sums that no double holds.
   result.push_back({stored("kelvin", {{"kn", "1e200"}, {"cn", "1e-190"}}), all});
   result.push_back({stored("kelvin", {{"kn", "3e-210"}, {"kt", "7e300"}, {"ct", "0.1"}}), all});
-  result.push_back(
-      {parse_scene("[contact]\nnormal = \"k1 | k2 | c1\"\ntangential = \"(k3 | k4) - k5\"\n"
-                   "[drive]\nnetwork = \"k6 | k7 | cd\"\n[body]\nmass = 0.0003\n"
-                   "[elements]\nk1 = 1e6\nk2 = 0.1\nc1 = 3.3\nk3 = 1e7\nk4 = 1e-9\nk5 = 3e6\n"
-                   "k6 = 1e6\nk7 = 1e-11\ncd = 0.7\n",
-                   "sums.toml"),
-       all});
+  result.push_back({scene_of(test::symbolic({.normal = "k1 | k2 | c1",
+                                             .tangential = "(k3 | k4) - k5",
+                                             .network = "k6 | k7 | cd",
+                                             .mass = 0.0003,
+                                             .elements = {{"k1", 1e6},
+                                                          {"k2", 0.1},
+                                                          {"c1", 3.3},
+                                                          {"k3", 1e7},
+                                                          {"k4", 1e-9},
+                                                          {"k5", 3e6},
+                                                          {"k6", 1e6},
+                                                          {"k7", 1e-11},
+                                                          {"cd", 0.7}}})),
+                    all});
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include "base/errors.hpp"
 #include "program/sweep.hpp"
 #include "scene/scene.hpp"
+#include "support/scene_text.hpp"
 
 using namespace vcrit;
 using namespace vcrit::symbolic;
@@ -17,69 +18,44 @@ namespace {
 
 NodeId own(Program& program, const Symbol& symbol) { return program.parameter(symbol); }
 
-const char* const bridge = R"toml(
-[contact]
-normal = "k0 | (k1 - c1)"
-tangential = "bridge"
-[drive]
-network = "kd | (k2 - c2)"
-[body]
-mass = "m"
-[networks.bridge]
+const std::string bridge = test::to_toml(test::symbolic({.normal = "k0 | (k1 - c1)",
+                                                         .tangential = "bridge",
+                                                         .network = "kd | (k2 - c2)",
+                                                         .mass = "m",
+                                                         .more = R"toml([networks.bridge]
 terminals = ["a", "b"]
 edges = [["k3", "a", "n"], ["k4", "n", "b"], ["c3", "a", "o"], ["c4", "o", "b"], ["k5", "n", "o"]]
-)toml";
-const char* const prony = R"toml(
-[contact]
-normal = "prony(k0, k, tau)"
-poisson = 0.3
-[drive]
-network = "kd"
-[body]
-mass = "m"
-[elements]
-k = [1, 2, 3, 4, 5, 6, 7]
-tau = [1, 2, 3, 4, 5, 6, 7]
-)toml";
-const char* const rigid = R"toml(
-[contact]
-normal = "k0 | c0"
-tangential = "k1 | (k2 - c2)"
-)toml";
-const char* const poisson = R"toml(
-[contact]
-normal = "k0 | maxwell(k1, tau)"
-poisson = "nu"
-[drive]
-network = "k2 | maxwell(k1, tau)"
-)toml";
-const char* const chain = R"toml(
-[contact]
-normal = "k0 | (k1 - c1)"
-poisson = "nu"
-[drive]
-network = "ka - (mass(ma) | kb | cb | (kc - (mass(mc) | maxwell(k1, tau)))) | kd - mass(md)"
-[body]
-mass = "m"
-)toml";
-const char* const frame = R"toml(
-[contact]
-normal = "k0 | c0"
-tangential = "k1 | c1"
-[drive]
-network = "frame"
-[networks.frame]
+)toml"}));
+const std::vector<double> seven{1, 2, 3, 4, 5, 6, 7};
+const std::string prony =
+    test::to_toml(test::symbolic({.normal = "prony(k0, k, tau)",
+                                  .network = "kd",
+                                  .mass = "m",
+                                  .elements = {{"k", seven}, {"tau", seven}}}));
+const std::string rigid =
+    test::to_toml(test::symbolic({.normal = "k0 | c0", .tangential = "k1 | (k2 - c2)"}));
+const std::string poisson = test::to_toml(test::symbolic(
+    {.normal = "k0 | maxwell(k1, tau)", .poisson = "nu", .network = "k2 | maxwell(k1, tau)"}));
+const std::string chain = test::to_toml(test::symbolic(
+    {.normal = "k0 | (k1 - c1)",
+     .poisson = "nu",
+     .network = "ka - (mass(ma) | kb | cb | (kc - (mass(mc) | maxwell(k1, tau)))) | kd - mass(md)",
+     .mass = "m"}));
+const std::string frame = test::to_toml(test::symbolic({.normal = "k0 | c0",
+                                                        .tangential = "k1 | c1",
+                                                        .network = "frame",
+                                                        .more = R"toml([networks.frame]
 terminals = ["a", "b"]
 edges = [["ka", "a", "1"], ["kb | cb", "a", "2"], ["kc", "1", "2"], ["mass(ma)", "1", "b"], ["kd", "1", "b"],
          ["mass(mb)", "2", "b"], ["ke | ce", "2", "b"]]
-)toml";
-const std::vector<const char*> scenes{bridge, prony, rigid, poisson, chain, frame};
+)toml"}));
+const std::vector<std::string> scenes{bridge, prony, rigid, poisson, chain, frame};
 
-Scene read(const char* text) { return parse_scene(text, "test.toml"); }
+Scene read(const std::string& text) { return parse_scene(text, "test.toml"); }
 
 std::vector<Scene> scenes_and_a_table() {
   std::vector<Scene> all;
-  for (const char* text : scenes) all.push_back(read(text));
+  for (const std::string& text : scenes) all.push_back(read(text));
   all.push_back(read_scene(VCRIT_SCENES "/measured_drive.toml"));
   return all;
 }

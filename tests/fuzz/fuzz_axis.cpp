@@ -6,25 +6,19 @@
 
 #include "fuzz.hpp"
 #include "scene/scene.hpp"
+#include "support/scene_text.hpp"
 #include "sweep/axis.hpp"
 
 using namespace vcrit;
 
 namespace {
 
-constexpr const char* scene_text = R"scene([contact]
-normal = "k0 | c0"
-poisson = 0.3
-[oscillation]
-frequency = "20 kHz"
-amplitude = 1e-7
-indentation = 1e-6
-[friction]
-coefficient = 0.3
-[elements]
-k0 = 1e6
-c0 = 10
-)scene";
+const test::SceneText scene_text{.normal = "k0 | c0",
+                                 .frequency = "20 kHz",
+                                 .amplitude = 1e-7,
+                                 .indentation = 1e-6,
+                                 .coefficient = 0.3,
+                                 .elements = {{"k0", 1e6}, {"c0", 10}}};
 
 // Long axes take long and show nothing that short ones do not.
 bool long_axis(const std::string& text) {
@@ -41,7 +35,7 @@ void check_values(const std::vector<double>& values) {
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const Scene scene = parse_scene(scene_text, "scene.toml");
+  static const Scene scene = test::scene_of(scene_text);
   const std::string text = fuzz::text_of(data, size), list = "list\n";
   fuzz::answered([&] {
     if (text.starts_with(list))

@@ -9,42 +9,36 @@
 #include "problem/variation.hpp"
 #include "scene/scene.hpp"
 #include "scene/settings.hpp"
+#include "support/scene_text.hpp"
 
 using namespace vcrit;
 
 namespace {
 
-constexpr const char* text = R"scene([contact]
-normal = "prony(k0, k, tau)"
-poisson = "nu"
-[drive]
-network = "kd | cd"
-[body]
-mass = 5e-3
-[oscillation]
-frequency = "20 kHz"
-amplitude = 1e-7
-indentation = 1e-6
-[friction]
-coefficient = 0.3
-[elements]
-k0 = 1e6
-k = [2e6, 3e6]
-tau = [1e-6, 1e-5]
-kd = 1e6
-cd = 10
-)scene";
+const test::SceneText text{.normal = "prony(k0, k, tau)",
+                           .poisson = "nu",
+                           .network = "kd | cd",
+                           .mass = 5e-3,
+                           .frequency = "20 kHz",
+                           .amplitude = 1e-7,
+                           .indentation = 1e-6,
+                           .coefficient = 0.3,
+                           .elements = {{"k0", 1e6},
+                                        {"k", std::vector{2e6, 3e6}},
+                                        {"tau", std::vector{1e-6, 1e-5}},
+                                        {"kd", 1e6},
+                                        {"cd", 10}}};
 
 void check_setting(const std::string& setting) {
-  static const Scene plain = parse_scene(text, "scene.toml");
+  static const Scene plain = test::scene_of(text);
   const auto [name, value] = parse_setting(setting);
-  const Scene scene = parse_scene(text, "scene.toml", {{name, value}, {"poisson", "0.25"}});
+  const Scene scene = test::scene_of(text, {{name, value}, {"poisson", "0.25"}});
   const double number = parse_quantity(
       value, known_dimension(name, plain.settable, argument("set")), argument("set"));
   const double velocity = certified_critical_velocity(scene).value;
   fuzz::check(velocity >= 0, "v* is no NaN and not negative");
   if (name == "poisson" || name == "nu") return;
-  const Variation varied(parse_scene(text, "scene.toml", {{"poisson", "0.25"}}), {name});
+  const Variation varied(test::scene_of(text, {{"poisson", "0.25"}}), {name});
   // With a unit what is read is a decimal number, and what is changed the double of it.
   const double read = certified_critical_velocity(as_doubles(scene)).value;
   const double changed =

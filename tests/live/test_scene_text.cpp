@@ -6,6 +6,7 @@
 
 #include "answers/critical_onset.hpp"
 #include "network/network.hpp"
+#include "support/scene_text.hpp"
 
 namespace vcrit {
 
@@ -44,35 +45,27 @@ BOOST_AUTO_TEST_CASE(scenes_of_the_repository) {
 // Names with spaces around them, expressions, a quantity that the scene calls otherwise, a lossy
 // spring, own networks both ways, a drive with a mass.
 BOOST_AUTO_TEST_CASE(everything_that_a_scene_may_have) {
-  const char* text = R"toml(
-[contact]
-normal = "lossy(k1, eta) | (spring(k2) - damper(c1)) | prony(k3, ks, taus)"
-tangential = "spring(kt) | damper(ct)"
-[drive]
-network = "spring(kd) | mass(md)"
-[body]
-mass = "M"
-[oscillation]
-frequency = "20 kHz"
-amplitude = "0.1 um"
-indentation = "0.5 um"
-[friction]
-coefficient = 0.3
-[elements]
-k1 = "8 N/um"
-eta = 0.1
-k2 = "2*k1"
-c1 = "k1*t"
-t = "2 us"
-k3 = "1 N/um"
-ks = ["1 N/um", "2 N/um"]
-taus = ["7 us", "70 us"]
-kt = "5 N/um"
-ct = "3 N.s/m"
-kd = "2 N/um"
-md = "1 g"
-)toml";
-  check_same(parse_problem(text, "a scene with spaces.toml", {{"M", "5 g"}}));
+  const test::SceneText text{
+      .normal = "lossy(k1, eta) | (spring(k2) - damper(c1)) | prony(k3, ks, taus)",
+      .tangential = "spring(kt) | damper(ct)",
+      .network = "spring(kd) | mass(md)",
+      .mass = "M",
+      .frequency = "20 kHz",
+      .amplitude = "0.1 um",
+      .indentation = "0.5 um",
+      .coefficient = 0.3,
+      .elements = {{"k1", "8 N/um"},
+                   {"eta", 0.1},
+                   {"k2", "2*k1"},
+                   {"c1", "k1*t"},
+                   {"t", "2 us"},
+                   {"k3", "1 N/um"},
+                   {"kt", "5 N/um"},
+                   {"ct", "3 N.s/m"},
+                   {"kd", "2 N/um"},
+                   {"md", "1 g"}},
+      .more = "ks = [\"1 N/um\", \"2 N/um\"]\ntaus = [\"7 us\", \"70 us\"]\n"};
+  check_same(parse_problem(to_toml(text), "a scene with spaces.toml", {{"M", "5 g"}}));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

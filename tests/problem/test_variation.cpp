@@ -6,6 +6,7 @@
 
 #include "base/numbers.hpp"
 #include "support/refusal.hpp"
+#include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_variation)
 
@@ -77,10 +78,8 @@ BOOST_AUTO_TEST_CASE(what_reading_refuses_is_refused) {
 // Each number may be right, and what a scene makes of both too large.
 BOOST_AUTO_TEST_CASE(what_an_expression_makes_of_a_value_is_refused) {
   const Variation varied(
-      parse_problem("[contact]\nnormal = \"k0 | k1\"\npoisson = 0.3\n[oscillation]\nfrequency = 1\n"
-                    "amplitude = 1e-9\nindentation = 1\n[friction]\ncoefficient = 0.3\n"
-                    "[elements]\nk0 = 1e200\nk1 = \"3*k0\"\n",
-                    "s.toml"),
+      test::scene_of(
+          {.normal = "k0 | k1", .amplitude = 1e-9, .elements = {{"k0", 1e200}, {"k1", "3*k0"}}}),
       {"k0"});
   varied.refuse(std::vector{1e100});
   const std::vector too_large{1e308};

@@ -176,78 +176,25 @@ HEARD_INSIDE = """
 import signal, sys, threading, time
 import numpy as np
 import vcrit
+from scene_text import scene
 
 n = 200
-TEXT = f'''
-[contact]
-normal = "prony(k0, k, tau)"
-tangential = "kt | prony(k0, k, tau)"
-[drive]
-network = "kd | cd"
-[body]
-mass = 5e-3
-[oscillation]
-frequency = 2e4
-amplitude = 1e-7
-indentation = 5e-7
-[friction]
-coefficient = 0.3
-[elements]
-k0 = 8e6
-kt = 1e6
-kd = 2e6
-cd = 3
-k = {[1e5 + i for i in range(n)]}
-tau = {[1e-6 * 1.01**i for i in range(n)]}
-'''
-slow = vcrit.Scene.from_text(TEXT)
+slow = vcrit.Scene.from_text(scene(
+    {"k0": 8e6, "kt": 1e6, "kd": 2e6, "cd": 3, "k": [1e5 + i for i in range(n)], "tau": [1e-6 * 1.01**i for i in range(n)]},
+    normal="prony(k0, k, tau)", tangential="kt | prony(k0, k, tau)", network="kd | cd", mass=5e-3, frequency=2e4,
+    amplitude=1e-7, indentation=5e-7))
 # Of a contact that opens the normal force is searched for, with more branches.
 m = 500
-separating = vcrit.Scene.from_text(f'''
-[contact]
-normal = "prony(k0, k, tau)"
-tangential = "kt | ct"
-separation = true
-[oscillation]
-frequency = 2e4
-amplitude = 4e-7
-indentation = 5e-7
-[friction]
-coefficient = 0.3
-[elements]
-k0 = 8e6
-k = {[1e5 + i for i in range(m)]}
-tau = {[1e-6 * 1.01**i for i in range(m)]}
-kt = 1e6
-ct = 3
-''')
+separating = vcrit.Scene.from_text(scene(
+    {"k0": 8e6, "kt": 1e6, "ct": 3, "k": [1e5 + i for i in range(m)], "tau": [1e-6 * 1.01**i for i in range(m)]},
+    normal="prony(k0, k, tau)", tangential="kt | ct", separation=True, frequency=2e4, amplitude=4e-7, indentation=5e-7))
 # Each two of a hundred nodes with masses, at a hundred harmonics.
 nodes = ["a", "b", *(f"n{i}" for i in range(100))]
 pairs = [(a, b) for i, a in enumerate(nodes) for b in nodes[i + 1:]][1:]
 edges = [[f"k{i}", *pair] for i, pair in enumerate(pairs)] + [[f"mass(m{i})", f"n{i}", "b"] for i in range(100)]
-values = "\\n".join([f"k{i} = {1 + i % 7}" for i in range(len(pairs))] + [f"m{i} = {1 + i % 5}" for i in range(100)])
-dense = vcrit.Scene.from_text(f'''
-[contact]
-normal = "kn"
-tangential = "kt"
-[drive]
-network = "g"
-[body]
-mass = 1
-[oscillation]
-angular_frequency = 3
-amplitude = 0.1
-indentation = 1
-[friction]
-coefficient = 0.3
-[elements]
-kn = 1
-kt = 1
-{values}
-[networks.g]
-terminals = ["a", "b"]
-edges = {edges}
-''')
+values = {f"k{i}": 1 + i % 7 for i in range(len(pairs))} | {f"m{i}": 1 + i % 5 for i in range(100)}
+dense = vcrit.Scene.from_text(scene({"kn": 1, "kt": 1} | values, {"g": (["a", "b"], edges)}, tangential="kt", network="g",
+                                    mass=1, angular_frequency=3))
 times = 2j * np.pi * np.geomspace(1, 1e6, 400)[:, np.newaxis] * np.geomspace(1e-6, 1, 12)
 stiffness = 1e6 + (1e5 * times / (1 + times)).sum(axis=1)
 many_branches = {"frequency": np.geomspace(1, 1e6, 400), "storage": stiffness.real, "loss": stiffness.imag}

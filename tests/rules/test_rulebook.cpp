@@ -14,6 +14,7 @@
 #include "scene/scene.hpp"
 #include "scene/stiffness_data.hpp"
 #include "simulation/system/system.hpp"
+#include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_rulebook)
 
@@ -24,30 +25,34 @@ namespace {
 
 // Parts of a scene, with omega = 1/s; k and c are 1.
 struct Parts {
-  std::string contact = "normal = \"k\"\npoisson = 0.3";
+  const char* normal = "k";
+  test::Toml tangential{};
+  bool separation = false;
+  const char* indenter = "";
+  test::Toml drive{}, mount{}, mount_mass{};
   double amplitude = 0.5, indentation = 1, coefficient = 0.5;
-  std::string rest = {};
-  double force = 0;  // in place of the indentation, where it is above 0
+  test::Toml force{};  // in place of the indentation
 };
 
 Scene scene_of(const Parts& parts) {
-  const auto number = [](double value) { return std::to_string(value); };
-  std::string text =
-      "[contact]\n" + parts.contact +
-      "\n[oscillation]\nangular_frequency = 1.0\namplitude = " + number(parts.amplitude) +
-      (parts.force > 0 ? "\n[load]\nforce = " + number(parts.force)
-                       : "\nindentation = " + number(parts.indentation)) +
-      "\n[friction]\ncoefficient = " + number(parts.coefficient) + "\n" + parts.rest +
-      "[elements]\n";
-  for (const char* name : {"k", "c", "kd", "m1", "l", "slow"})
-    text += std::string(name) + " = " + (std::string(name) == "slow" ? "1e3" : "1.0") + "\n";
-  return parse_scene(text, "s.toml");
+  return test::scene_of(
+      {.normal = parts.normal,
+       .tangential = parts.tangential,
+       .separation = parts.separation,
+       .indenter = parts.indenter,
+       .network = parts.drive,
+       .mount = parts.mount,
+       .mount_mass = parts.mount_mass,
+       .angular_frequency = 1,
+       .amplitude = parts.amplitude,
+       .indentation = parts.indentation,
+       .force = parts.force,
+       .coefficient = parts.coefficient,
+       .elements = {{"k", 1}, {"c", 1}, {"kd", 1}, {"m1", 1}, {"l", 1}, {"slow", 1e3}}});
 }
 
-const std::string separating = "\nseparation = true";
-const std::string kelvin = "normal = \"k | c\"\npoisson = 0.3";
-const std::string mounting = "[mount]\nnetwork = \"kd\"\n";
-const std::string cone = "[indenter]\nshape = \"cone\"\nangle = 0.1\n";
+const char* const kelvin = "k | c";
+const char* const cone = "shape = \"cone\"\nangle = 0.1\n";
 
 Scene measured() {
   Scene scene = scene_of({});
@@ -73,65 +78,57 @@ Scene scene_of(SceneKind kind) {
     case SceneKind::measured_drive:
       return measured();
     case SceneKind::masses_in_drive:
-      return scene_of({.rest = "[drive]\nnetwork = \"kd - (mass(m1) | k)\"\n"});
+      return scene_of({.drive = "kd - (mass(m1) | k)"});
     case SceneKind::lossy_spring:
-      return scene_of({.contact = "normal = \"lossy(k, l)\"\npoisson = 0.3"});
+      return scene_of({.normal = "lossy(k, l)"});
     case SceneKind::indenter:
-      return scene_of({.rest = cone});
+      return scene_of({.indenter = cone});
     case SceneKind::no_indenter:
       return scene_of(Parts{});
     case SceneKind::separating:
-      return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating});
+      return scene_of({.separation = true});
     case SceneKind::separating_without_memory:
-      return scene_of({.contact = kelvin + separating});
+      return scene_of({.normal = kelvin, .separation = true});
     case SceneKind::separating_with_memory:
-      return scene_of({.contact = "normal = \"k\"\ntangential = \"k | c\"" + separating});
+      return scene_of({.tangential = "k | c", .separation = true});
     case SceneKind::no_static_load:
-      return scene_of({.contact = "normal = \"k - c\"\npoisson = 0.3"});
+      return scene_of({.normal = "k - c"});
     case SceneKind::no_static_load_below_indenter:
-      return scene_of({.contact = "normal = \"k - c\"\npoisson = 0.3", .rest = cone});
+      return scene_of({.normal = "k - c", .indenter = cone});
     case SceneKind::no_friction:
       return scene_of({.coefficient = 0});
     case SceneKind::no_indentation:
       return scene_of({.indentation = 0});
     case SceneKind::tapping:
-      return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating, .indentation = 0});
+      return scene_of({.separation = true, .indentation = 0});
     case SceneKind::never_closing:
-      return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating,
-                       .amplitude = 0,
-                       .indentation = 0,
-                       .rest = cone});
+      return scene_of({.separation = true, .indenter = cone, .amplitude = 0, .indentation = 0});
     case SceneKind::amplitude_too_large:
       return scene_of({.amplitude = 1});
     case SceneKind::deep_amplitude:
-      return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating, .amplitude = 2});
+      return scene_of({.separation = true, .amplitude = 2});
     case SceneKind::opening:
-      return scene_of({.contact = kelvin, .amplitude = 0.8});
+      return scene_of({.normal = kelvin, .amplitude = 0.8});
     case SceneKind::opening_below_indenter:
-      return scene_of({.contact = kelvin, .amplitude = 0.8, .rest = cone});
+      return scene_of({.normal = kelvin, .indenter = cone, .amplitude = 0.8});
     case SceneKind::opening_with_memory:
-      return scene_of(
-          {.contact = "normal = \"k\"\ntangential = \"k | c\"" + separating, .amplitude = 2});
+      return scene_of({.tangential = "k | c", .separation = true, .amplitude = 2});
     case SceneKind::open_where_steepest:
-      return scene_of({.contact = "normal = \"k | damper(slow)\"\npoisson = 0.3" + separating,
-                       .amplitude = 0.9});
+      return scene_of({.normal = "k | damper(slow)", .separation = true, .amplitude = 0.9});
     case SceneKind::sinking:
-      return scene_of({.contact = "normal = \"k - c\"\npoisson = 0.3", .force = 1});
+      return scene_of({.normal = "k - c", .force = 1});
     case SceneKind::sinking_opening:
-      return scene_of({.contact = "normal = \"k - c\"\npoisson = 0.3" + separating,
-                       .amplitude = 2,
-                       .force = 1});
+      return scene_of({.normal = "k - c", .separation = true, .amplitude = 2, .force = 1});
     case SceneKind::mount:
-      return scene_of({.rest = mounting});
+      return scene_of({.mount = "kd"});
     case SceneKind::separating_mount:
-      return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating, .rest = mounting});
+      return scene_of({.separation = true, .mount = "kd"});
     case SceneKind::separating_with_mass:
-      return scene_of({.contact = "normal = \"k\"\npoisson = 0.3" + separating,
-                       .rest = mounting + "mass = 0.1\n"});
+      return scene_of({.separation = true, .mount = "kd", .mount_mass = 0.1});
     case SceneKind::indenter_on_drive:
-      return scene_of({.rest = cone + "[drive]\nnetwork = \"kd | c\"\n"});
+      return scene_of({.indenter = cone, .drive = "kd | c"});
     case SceneKind::viscoelastic_indenter_on_drive:
-      return scene_of({.contact = kelvin, .rest = cone + "[drive]\nnetwork = \"kd\"\n"});
+      return scene_of({.normal = kelvin, .indenter = cone, .drive = "kd"});
     case SceneKind::measured_contact:
       return measured_pad();
   }
@@ -334,7 +331,7 @@ BOOST_AUTO_TEST_CASE(numbers_stand_in_the_words) {
 
 // So light that the mean depth lies above the surface, where no amplitude is below it.
 BOOST_AUTO_TEST_CASE(a_load_that_hardly_touches_has_to_be_larger) {
-  const Scene scene = scene_of({.rest = cone, .force = 1e-3});
+  const Scene scene = scene_of({.indenter = cone, .force = 1e-3});
   BOOST_TEST(
       answer(Question::motion_below_indenter, scene).advice ==
       "take a smaller amplitude or a larger load, or let the contact open: separation = true "
@@ -343,7 +340,7 @@ BOOST_AUTO_TEST_CASE(a_load_that_hardly_touches_has_to_be_larger) {
 
 // |K_n(i)| = |1 + i|, and (3) is W/K_n(0): nothing else is asked of an indentation.
 BOOST_AUTO_TEST_CASE(a_load_takes_the_place_of_the_indentation) {
-  const Scene scene = scene_of({.contact = kelvin, .amplitude = 0.8, .force = 1});
+  const Scene scene = scene_of({.normal = kelvin, .amplitude = 0.8, .force = 1});
   BOOST_TEST(answer(Question::admissible, scene).reason ==
              "the contact opens: the normal force oscillates by du_z |K_n| = 1.131 N about a "
              "mean of W = 1 N (Eq. 4)");
@@ -351,7 +348,7 @@ BOOST_AUTO_TEST_CASE(a_load_takes_the_place_of_the_indentation) {
              "take an amplitude below 707.1 mm, or let the contact open: separation = true in "
              "[contact]");
   BOOST_TEST(bool{
-      answer(Question::admissible, scene_of({.contact = kelvin, .amplitude = 0.7, .force = 1}))});
+      answer(Question::admissible, scene_of({.normal = kelvin, .amplitude = 0.7, .force = 1}))});
 }
 
 // v* is then 0 with a memory as without, and needs no motion.
@@ -366,26 +363,26 @@ BOOST_AUTO_TEST_CASE(without_friction_the_formula_holds_where_the_contact_opens)
 
 // Cells on one body: a network of springs and dampers, and no other, whatever the cells remember.
 BOOST_AUTO_TEST_CASE(an_indenter_on_a_drive_says_what_it_needs) {
-  const auto why = [](const std::string& contact, const std::string& drive, bool separation) {
-    return answer(Question::motion_below_indenter,
-                  scene_of({.contact = contact + (separation ? separating : ""),
-                            .rest = cone + "[drive]\nnetwork = \"" + drive + "\"\n"}))
+  const auto why = [](const char* normal, const char* drive, bool separation) {
+    return answer(
+               Question::motion_below_indenter,
+               scene_of(
+                   {.normal = normal, .separation = separation, .indenter = cone, .drive = drive}))
         .reason;
   };
-  const std::string spring = "normal = \"k\"\npoisson = 0.3";
   for (const bool separation : {false, true}) {
-    BOOST_TEST(why(spring, "kd | c", separation).empty());
-    BOOST_TEST(why(spring, "kd - (mass(m1) | kd)", separation).find("this one has masses") !=
+    BOOST_TEST(why("k", "kd | c", separation).empty());
+    BOOST_TEST(why("k", "kd - (mass(m1) | kd)", separation).find("this one has masses") !=
                std::string::npos);
     BOOST_TEST(why(kelvin, "kd", separation).empty());
   }
 }
 
 BOOST_AUTO_TEST_CASE(cells_move_below_an_indenter_and_an_amplitude_lifts_a_pressed_one) {
-  BOOST_TEST((motion_question(scene_of({.rest = cone})) == Question::motion_below_indenter));
+  BOOST_TEST((motion_question(scene_of({.indenter = cone})) == Question::motion_below_indenter));
   BOOST_TEST((motion_question(scene_of({.force = 1})) == Question::motion));
-  BOOST_TEST(Facts(scene_of({.rest = cone, .force = 1})).depth_falls_with_amplitude());
-  for (const Parts& parts : {Parts{.rest = cone}, Parts{.force = 1}})
+  BOOST_TEST(Facts(scene_of({.indenter = cone, .force = 1})).depth_falls_with_amplitude());
+  for (const Parts& parts : {Parts{.indenter = cone}, Parts{.force = 1}})
     BOOST_TEST(!Facts(scene_of(parts)).depth_falls_with_amplitude());
 }
 

@@ -43,7 +43,7 @@ std::string amount(const std::string& elements) {
 
 double velocity(const Problem& scene) { return certified_critical_velocity(scene).value; }
 
-const std::string zener = "k0 | (k1 - c1)";
+const std::string zener = "k0 | (k1 - c1)", flat = "shape = \"flat\"\nradius = 1e-3\n";
 const std::string of_two = "k0 = 8e6\nk1 = \"k0/2\"\nc1 = \"tau*k1\"\ntau = \"8 us\"\nkt = 3e6\n";
 
 }  // namespace
@@ -109,10 +109,8 @@ BOOST_AUTO_TEST_CASE(parameters_measure_what_fits) {
   BOOST_CHECK(dimension("k1 = \"kt*x/x\"\n") == Dimension::none);
   // By way of another parameter.
   BOOST_CHECK(dimension("k1 = \"kt*y\"\nc1 = \"kt*y*x\"\n") == Dimension::time);
-  const Problem modulus = parse_problem(
-      "[contact]\nnormal = \"kelvin(E0, c0)\"\npoisson = 0.3\n[indenter]\nshape = \"flat\"\n"
-      "radius = 1e-3\n[elements]\nc0 = \"E0*x\"\nE0 = \"y*2\"\n",
-      "s.toml");
+  const Problem modulus = test::scene_of(
+      {.normal = "kelvin(E0, c0)", .indenter = flat, .elements = {{"c0", "E0*x"}, {"E0", "y*2"}}});
   BOOST_CHECK(modulus->source->settable.at("x") == Dimension::time);
   BOOST_CHECK(modulus->source->settable.at("y") == Dimension::modulus);
 }
@@ -121,11 +119,10 @@ BOOST_AUTO_TEST_CASE(parameters_measure_what_fits) {
 // Pa s; each expression has the unit of its own element.
 BOOST_AUTO_TEST_CASE(on_a_drive_an_indenter_has_both_kinds_of_units) {
   const auto made = [](const std::string& elements) {
-    return parse_problem(
-        "[contact]\nnormal = \"kelvin(E0, c0)\"\npoisson = 0.3\n[indenter]\nshape = \"flat\"\n"
-        "radius = 1e-3\n[drive]\nnetwork = \"kd | cd\"\n[elements]\n" +
-            elements,
-        "s.toml");
+    return Problem(test::scene_of(test::symbolic({.normal = "kelvin(E0, c0)",
+                                                  .indenter = flat,
+                                                  .network = "kd | cd",
+                                                  .more = "[elements]\n" + elements})));
   };
   const auto dimension = [&](const std::string& elements) {
     return made(elements)->source->settable.at("x");
@@ -166,13 +163,9 @@ BOOST_AUTO_TEST_CASE(on_a_drive_an_indenter_has_both_kinds_of_units) {
 
 // Nor may one name be an element of both.
 BOOST_AUTO_TEST_CASE(half_space_and_drive_share_no_element) {
-  BOOST_TEST(has(test::refusal([] {
-                   parse_problem(
-                       "[contact]\nnormal = \"k\"\npoisson = 0.3\n[indenter]\nshape = "
-                       "\"flat\"\nradius = 1e-3\n[drive]\nnetwork = \"k\"\n",
-                       "s.toml");
-                 }),
-                 "found \"k\" as a stiffness in N/m; expected a modulus in Pa, as at s.toml:2:"));
+  BOOST_TEST(
+      has(test::refusal([] { test::scene_of({.normal = "k", .indenter = flat, .network = "k"}); }),
+          "found \"k\" as a stiffness in N/m; expected a modulus in Pa, as at s.toml:2:"));
 }
 
 BOOST_AUTO_TEST_CASE(what_does_not_fit_is_refused) {
@@ -295,10 +288,8 @@ BOOST_AUTO_TEST_CASE(odd_names_are_told_apart) {
   const Problem made = problem("spring(beta)", "beta = \"2*S*N/I\"\nS = \"1 N/m\"\n");
   BOOST_TEST(to_text(std::get<Element>(made->normal.network().form).coefficient) == "2*S*N/I");
   // Without a body a mass may be called m, and an expression has no symbol of its own.
-  const Problem of_m = parse_problem(
-      "[contact]\nnormal = \"k0\"\npoisson = 0.3\n[drive]\nnetwork = "
-      "\"k1 | k2 - mass(m)\"\n[elements]\nm = \"2*pi\"\npi = \"1 g\"\n",
-      "s.toml");
+  const Problem of_m = test::scene_of(
+      {.normal = "k0", .network = "k1 | k2 - mass(m)", .elements = {{"m", "2*pi"}, {"pi", "1 g"}}});
   BOOST_CHECK(of_m->source->settable.at("pi") == Dimension::mass);
 }
 

@@ -23,21 +23,15 @@ using test::refused;
 
 namespace {
 
-Scene parsed(const std::string& text) { return parse_scene(text, "s.toml"); }
-
 Scene with_drive() {
-  return parsed(
-      "[contact]\nnormal = \"k\"\npoisson = 0.3\n[drive]\nnetwork = \"kd\"\n[body]\nmass = 1\n"
-      "[oscillation]\nangular_frequency = 2\namplitude = 0.1\nindentation = 0.5\n"
-      "[friction]\ncoefficient = 0.3\n[elements]\nk = 3\nkd = 2\n");
+  return test::scene_of(
+      {.normal = "k", .network = "kd", .mass = 1, .elements = {{"k", 3}, {"kd", 2}}});
 }
 
 Scene with_indenter() {
-  return parsed(
-      "[contact]\nnormal = \"spring(E)\"\npoisson = 0.3\n[indenter]\nshape = \"parabola\"\nradius "
-      "= 1\n"
-      "[oscillation]\nangular_frequency = 2\namplitude = 0.1\nindentation = 0.5\n"
-      "[friction]\ncoefficient = 0.3\n[elements]\nE = 3\n");
+  return test::scene_of({.normal = "spring(E)",
+                         .indenter = "shape = \"parabola\"\nradius = 1\n",
+                         .elements = {{"E", 3}}});
 }
 
 /// By whatever evaluates or simulates a scene.

@@ -49,7 +49,9 @@ struct SceneText {
   std::string indenter{};  ///< lines of its section
   Toml network{}, receptance{};
   Toml mass{};
+  Toml mount{}, mount_mass{};  ///< `network` and `mass` of [mount]
   Toml frequency{}, angular_frequency = 2, amplitude = 0.1, indentation = 1;
+  Toml force{};  ///< of [load], in place of the indentation
   Toml coefficient = 0.5;
   Elements elements{};
   std::string more{};  ///< lines behind those of [elements]; more sections
@@ -62,7 +64,7 @@ inline std::string section(const std::string& name, const std::string& lines) {
 inline std::string to_toml(const SceneText& s) {
   const std::string given = s.tangential.line("tangential") + s.poisson.line("poisson") +
                             s.tangential_ratio.line("tangential_ratio");
-  const std::string frequency = s.frequency.line("frequency");
+  const std::string frequency = s.frequency.line("frequency"), force = s.force.line("force");
   std::string elements;
   for (const auto& [name, value] : s.elements) elements += value.line(name);
   return section("contact", s.normal.line("normal") + (given.empty() ? "poisson = 0.3\n" : given) +
@@ -70,11 +72,13 @@ inline std::string to_toml(const SceneText& s) {
          section("indenter", s.indenter) +
          section("drive", s.network.line("network") + s.receptance.line("receptance")) +
          section("body", s.mass.line("mass")) +
+         section("mount", s.mount.line("network") + s.mount_mass.line("mass")) +
          section("oscillation",
                  (frequency.empty() ? s.angular_frequency.line("angular_frequency") : frequency) +
-                     s.amplitude.line("amplitude") + s.indentation.line("indentation")) +
-         section("friction", s.coefficient.line("coefficient")) + section("elements", elements) +
-         s.more;
+                     s.amplitude.line("amplitude") +
+                     (force.empty() ? s.indentation.line("indentation") : "")) +
+         section("load", force) + section("friction", s.coefficient.line("coefficient")) +
+         section("elements", elements) + s.more;
 }
 
 inline Scene scene_of(const SceneText& text, const Settings& settings = {}) {
@@ -93,6 +97,12 @@ inline SceneText slow_zener() {
           .coefficient = 0.3,
           .elements = {{"k0", 2e5}, {"k1", 2e6}, {"c1", 40}}};
 }
+
+/// The network "bridge" of k1, k2, k3, c1 and c2, which is no parallel or series combination.
+inline const std::string bridge_network =
+    "[networks.bridge]\nterminals = [\"a\", \"b\"]\n"
+    "edges = [[\"k1\", \"a\", \"1\"], [\"c1\", \"a\", \"2\"], [\"k2\", \"1\", \"2\"], "
+    "[\"c2\", \"1\", \"b\"], [\"k3\", \"2\", \"b\"]]\n";
 
 /// What has still to be said: no number of the oscillation and of friction.
 inline SceneText symbolic(SceneText text) {

@@ -20,6 +20,7 @@
 #include "stiffness/drive_motion.hpp"
 #include "stiffness/relaxation.hpp"
 #include "support/refusal.hpp"
+#include "support/scene_text.hpp"
 #include "sweep/sweep.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_wrong_arguments)
@@ -105,12 +106,11 @@ BOOST_AUTO_TEST_CASE(sweeps) {
 
 // An element that an axis takes to 0 is none of the network: no share of it changes v*.
 BOOST_AUTO_TEST_CASE(the_sensitivity_to_an_element_of_value_0) {
-  const Problem two_branches = parse_problem(
-      "title = \"two branches\"\n[contact]\nnormal = \"k0 | (k1 - c1) | (k2 - c2)\"\n"
-      "tangential_ratio = 0.8\nseparation = true\n[oscillation]\nangular_frequency = 1e5\n"
-      "amplitude = 1e-6\nindentation = 3e-7\n[friction]\ncoefficient = 0.3\n[elements]\n"
-      "k0 = 2e5\nk1 = 2e6\nc1 = 40\nk2 = 1e6\nc2 = 10\n",
-      "two_branches.toml");
+  test::SceneText two = test::slow_zener();
+  two.normal = "k0 | (k1 - c1) | (k2 - c2)";
+  two.indentation = 3e-7;
+  two.elements.insert(two.elements.end(), {{"k2", 1e6}, {"c2", 10}});
+  const Problem two_branches = test::scene_of(two);
   const SweptTable table = swept({two_branches,
                                   {axis_of("k1", {0, 2e6}, two_branches)},
                                   {parse_swept_quantity("sensitivity:k1", two_branches)},

@@ -7,51 +7,36 @@
 
 #include "report/report_json.hpp"
 #include "scene/scene.hpp"
+#include "support/scene_text.hpp"
 
 namespace vcrit::validation::example {
 
-inline const std::string rigid_scene = R"(title = "Elastic contact"
-[contact]
-normal = "kn"
-tangential = "kt"
-[oscillation]
-angular_frequency = 125664
-amplitude = 1e-7
-indentation = 3e-7
-[friction]
-coefficient = 0.3
-[elements]
-kn = 11.5e6
-kt = 9.47e6
-)";
+inline const std::string rigid_scene =
+    "title = \"Elastic contact\"\n" + test::to_toml({.tangential = "kt",
+                                                     .angular_frequency = 125664,
+                                                     .amplitude = 1e-7,
+                                                     .indentation = 3e-7,
+                                                     .coefficient = 0.3,
+                                                     .elements = {{"kn", 11.5e6}, {"kt", 9.47e6}}});
 
-inline const std::string driven_scene = R"toml(title = "Everything there is"
-[contact]
-normal = "bridge"
-tangential_ratio = 0.8
-[networks.bridge]
-terminals = ["a", "b"]
-edges = [["k1", "a", "1"], ["c1", "a", "2"], ["k2", "1", "2"], ["c2", "1", "b"], ["k3", "2", "b"]]
-[drive]
-network = "kd | (k4 - c4)"
-[body]
-mass = "0.3 g"
-[oscillation]
-frequency = "40 kHz"
-amplitude = "60 nm"
-indentation = "0.6 um"
-[friction]
-coefficient = 0.2
-[elements]
-k1 = 20e6
-k2 = 30e6
-k3 = 25e6
-c1 = 12
-c2 = 18
-kd = 5e6
-k4 = 2e6
-c4 = 8
-)toml";
+inline const std::string driven_scene =
+    "title = \"Everything there is\"\n" + test::to_toml({.normal = "bridge",
+                                                         .tangential_ratio = 0.8,
+                                                         .network = "kd | (k4 - c4)",
+                                                         .mass = "0.3 g",
+                                                         .frequency = "40 kHz",
+                                                         .amplitude = "60 nm",
+                                                         .indentation = "0.6 um",
+                                                         .coefficient = 0.2,
+                                                         .elements = {{"k1", 20e6},
+                                                                      {"k2", 30e6},
+                                                                      {"k3", 25e6},
+                                                                      {"c1", 12},
+                                                                      {"c2", 18},
+                                                                      {"kd", 5e6},
+                                                                      {"k4", 2e6},
+                                                                      {"c4", 8}},
+                                                         .more = test::bridge_network});
 
 inline ShownFormula formula(const std::string& letter) {
   return {"<math><mi>" + letter + "</mi></math>", letter, letter};

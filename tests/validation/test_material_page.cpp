@@ -9,6 +9,7 @@
 
 #include "report/material.hpp"
 #include "scene/scene.hpp"
+#include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_material_page)
 
@@ -18,12 +19,12 @@ using namespace vcrit::validation::report;
 namespace {
 
 Network normal_of(const std::string& network) {
-  return parse_scene("[contact]\nnormal = \"" + network + "\"\npoisson = 0.3\n", "test.toml")
-      .normal;
+  return test::scene_of(test::symbolic({.normal = network})).normal;
 }
 
-std::string page_of_scene(const std::string& text) {
-  return material_page(parse_problem(text, "test.toml"));
+/// Without numbers but those of its elements.
+std::string page_of_scene(const test::SceneText& text) {
+  return material_page(test::scene_of(test::symbolic(text)));
 }
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
@@ -48,7 +49,7 @@ std::string grid(int n) {
   return "[networks.grid]\nterminals = [\"a\", \"b\"]\nedges = [" + edges + "]\n";
 }
 
-const std::string zener = "[contact]\nnormal = \"zener(k0, k1, c1)\"\npoisson = 0.3\n";
+const test::SceneText zener{.normal = "zener(k0, k1, c1)"};
 
 }  // namespace
 
@@ -107,21 +108,21 @@ BOOST_AUTO_TEST_CASE(without_values_the_page_is_in_symbols) {
 }
 
 BOOST_AUTO_TEST_CASE(with_values_it_has_numbers_and_curves) {
-  const std::string page = page_of_scene(zener + "[elements]\nk0 = 2\nk1 = 3\nc1 = 0.5\n");
+  const std::string page =
+      page_of_scene({.normal = zener.normal, .elements = {{"k0", 2}, {"k1", 3}, {"c1", 0.5}}});
   BOOST_TEST(has(page, "<h3>In numbers</h3>"));
   for (const char* figure : {"stiffness", "loss_factor", "relaxation", "creep"})
     BOOST_TEST(has(page, "<figure id=\"normal_" + std::string(figure) + "\">"), figure);
-  BOOST_TEST(has(page, "<td>166.7 ms</td><td>3 N/m</td>"));  // c1/k1
+  BOOST_TEST(has(page, "<td>166.7 ms</td><td>3 N/m</td>"));       // c1/k1
   BOOST_TEST(!std::regex_search(page, std::regex("\\bnan\\b")));  // but in "resonance"
 }
 
 // Masses, lossy springs and long series have no closed spectra; measured drives no network.
 BOOST_AUTO_TEST_CASE(every_scene_has_a_page) {
-  BOOST_TEST(has(page_of_scene("[contact]\nnormal = \"lossy(k0, eta)\"\npoisson = 0.3\n"),
-                 "no law of motion in time"));
-  BOOST_TEST(has(page_of_scene(zener + "[drive]\nnetwork = \"kd | mass(m1)\"\n"),
+  BOOST_TEST(has(page_of_scene({.normal = "lossy(k0, eta)"}), "no law of motion in time"));
+  BOOST_TEST(has(page_of_scene({.normal = zener.normal, .network = "kd | mass(m1)"}),
                  "The network holds masses"));
-  BOOST_TEST(has(page_of_scene("[contact]\nnormal = \"prony(k0, k, tau, 30)\"\npoisson = 0.3\n"),
+  BOOST_TEST(has(page_of_scene({.normal = "prony(k0, k, tau, 30)"}),
                  "The retardation spectrum has no closed form"));
   BOOST_TEST(has(material_page(read_problem(VCRIT_SCENES "/measured_drive.toml")),
                  "The drive is measured"));
@@ -129,25 +130,23 @@ BOOST_AUTO_TEST_CASE(every_scene_has_a_page) {
 
 // Its stiffness at rest would have more terms than one reads, and take minutes.
 BOOST_AUTO_TEST_CASE(a_grid_has_a_page_without_its_ends) {
-  const std::string page =
-      page_of_scene("[contact]\nnormal = \"grid\"\npoisson = 0.3\n" + grid(12));
+  const std::string page = page_of_scene({.normal = "grid", .more = grid(12)});
   BOOST_TEST(has(page, "The relaxation spectrum has no closed form"));
   BOOST_TEST(!has(page, "Equilibrium stiffness"));
 }
 
 // Each of its limits is as long as v*: 13 MB before they were counted.
 BOOST_AUTO_TEST_CASE(limits_of_a_grid_are_left_out_and_that_is_said) {
-  const std::string page = page_of_scene(
-      "[contact]\nnormal = \"grid\"\npoisson = 0.3\n[drive]\nnetwork = \"kd | cd\"\n"
-      "[body]\nmass = \"m\"\n" +
-      grid(6));
+  const std::string page =
+      page_of_scene({.normal = "grid", .network = "kd | cd", .mass = "m", .more = grid(6)});
   BOOST_TEST(page.size() < 10'000'000u);
   BOOST_TEST(has(page, "together they would have some"));
   BOOST_TEST(!has(page_of_scene(zener), "together they would have some"));
 }
 
 BOOST_AUTO_TEST_CASE(texts_of_the_scene_are_escaped) {
-  const std::string page = page_of_scene("title = \"<script>alert(1)</script>\"\n" + zener);
+  const std::string page = material_page(parse_problem(
+      "title = \"<script>alert(1)</script>\"\n" + to_toml(test::symbolic(zener)), "test.toml"));
   BOOST_TEST(!has(page, "<script>alert"));
 }
 

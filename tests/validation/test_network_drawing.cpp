@@ -9,6 +9,7 @@
 #include "report/document.hpp"
 #include "report/graph_layout.hpp"
 #include "report/system_drawing.hpp"
+#include "support/scene_text.hpp"
 #include "validation/example_report.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_network_drawing)
@@ -122,7 +123,8 @@ BOOST_AUTO_TEST_CASE(a_system_says_its_numbers) {
   BOOST_TEST(svg.find("may open") == std::string::npos);
 }
 
-// 14 units are at least 11 pixels on a phone of 390 pixels, 8 on either side of the drawing left free.
+// 14 units are at least 11 pixels on a phone of 390 pixels, 8 on either side of the drawing left
+// free.
 BOOST_AUTO_TEST_CASE(a_drawing_can_be_read_on_a_phone) {
   constexpr double narrowest = 390 - 2 * 8, units = 14, pixels = 11;
   for (const auto& entry : std::filesystem::directory_iterator(VCRIT_SCENES)) {
@@ -135,20 +137,27 @@ BOOST_AUTO_TEST_CASE(a_drawing_can_be_read_on_a_phone) {
 
 // What would be too wide has its drive above, then its numbers below, all of them.
 BOOST_AUTO_TEST_CASE(a_wide_system_is_drawn_in_less_room) {
-  const auto drawn = [](const std::string& drive, const std::string& contact) {
-    return svg_of(draw_system(parse_scene(
-        "[contact]\nnormal = \"kn | (k1 - c1)\"\n" + contact + "[drive]\nnetwork = \"" + drive +
-            "\"\n[oscillation]\nfrequency = 2e4\namplitude = 1e-7\nindentation = 5e-7\n"
-            "[friction]\ncoefficient = 0.25\n[elements]\nkn = 8e6\nk1 = 4e6\nc1 = 30\nkd = 2e6\n"
-            "cd = 5\nkt = 3e6\nct = 7\n",
-        "s.toml")));
+  const auto drawn = [](const test::Toml& drive, const test::Toml& tangential) {
+    return svg_of(draw_system(vcrit::test::scene_of({.normal = "kn | (k1 - c1)",
+                                                     .tangential = tangential,
+                                                     .network = drive,
+                                                     .frequency = 2e4,
+                                                     .amplitude = 1e-7,
+                                                     .indentation = 5e-7,
+                                                     .coefficient = 0.25,
+                                                     .elements = {{"kn", 8e6},
+                                                                  {"k1", 4e6},
+                                                                  {"c1", 30},
+                                                                  {"kd", 2e6},
+                                                                  {"cd", 5},
+                                                                  {"kt", 3e6},
+                                                                  {"ct", 7}}})));
   };
-  const std::string isotropic = "poisson = 0.3\n";
   const std::vector<std::string> numbers{"= 8 N/µm", "= 4 N/µm", "= 30 N.s/m", "= 2 N/µm", "0.25"};
-  for (const auto& [drive, contact] :
-       {std::pair(std::string("kd"), isotropic), std::pair(std::string("kd - cd"), isotropic),
-        std::pair(std::string("kd - cd"), std::string("tangential = \"kt - ct\"\n"))}) {
-    const std::string svg = drawn(drive, contact);
+  for (const auto& [drive, tangential] :
+       {std::pair("kd", test::Toml()), std::pair("kd - cd", test::Toml()),
+        std::pair("kd - cd", test::Toml("kt - ct"))}) {
+    const std::string svg = drawn(drive, tangential);
     for (const std::string& number : numbers)
       BOOST_TEST(occurrences(svg, number) == 1U, drive << ", " << number);
   }

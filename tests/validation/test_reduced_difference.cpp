@@ -1,6 +1,6 @@
 // The reduced model and the full motion against 50-digit values of both.
 #include "compare/reduced_difference.hpp"
-#include "scene/scene.hpp"
+#include "support/scene_text.hpp"
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -25,13 +25,12 @@ const std::vector<Row> rows{{0, 0.1, 0.31854577586218, 0.31854577586218},
                             {100, 0.1, 0.7535068053240, 0.43532479146986869},
                             {100, 0.5, 0.9008758004292, 0.84580444804485728}};
 
-Scene kelvin_scene(const std::string& more = {}, const std::string& tangential = "poisson = 0.3") {
-  return parse_scene("[contact]\nnormal = \"kelvin(k, c)\"\n" + tangential + "\n" + more +
-                         "[oscillation]\nangular_frequency = 1e5\namplitude = 1e-7\n"
-                         "indentation = 3e-7\n[friction]\ncoefficient = 0.4\n"
-                         "[elements]\nk = 2e6\nc = 30\nkd = 1e6\n",
-                     "kelvin.toml");
-}
+const test::SceneText kelvin{.normal = "kelvin(k, c)",
+                             .angular_frequency = 1e5,
+                             .amplitude = 1e-7,
+                             .indentation = 3e-7,
+                             .coefficient = 0.4,
+                             .elements = {{"k", 2e6}, {"c", 30}, {"kd", 1e6}}};
 
 }  // namespace
 
@@ -76,7 +75,7 @@ BOOST_AUTO_TEST_CASE(it_may_be_used_from_where_the_difference_stays_small) {
 }
 
 BOOST_AUTO_TEST_CASE(a_scene_has_it_where_it_applies) {
-  const auto model = reduced_model(kelvin_scene());
+  const auto model = reduced_model(test::scene_of(kelvin));
   BOOST_REQUIRE(model.has_value());
   BOOST_TEST(std::abs(model->delta - 1.5) < 1e-14);  // omega c/k
   // (du_z/u_z0) sqrt(1 + delta^2), a rounding error each
@@ -87,15 +86,12 @@ BOOST_AUTO_TEST_CASE(a_scene_has_it_where_it_applies) {
 }
 
 BOOST_AUTO_TEST_CASE(a_scene_lacks_it_where_it_does_not) {
-  BOOST_TEST(!reduced_model(kelvin_scene("[drive]\nnetwork = \"kd\"\n")).has_value());
-  BOOST_TEST(!reduced_model(kelvin_scene({}, "tangential = \"k | kd\"")).has_value());
-  const std::string elastic = "[contact]\nnormal = \"k\"\npoisson = 0.3\n[oscillation]\n";
-  BOOST_TEST(
-      !reduced_model(parse_scene(elastic + "angular_frequency = 1e5\namplitude = 1e-7\n"
-                                           "indentation = 3e-7\n[friction]\ncoefficient = 0.4\n"
-                                           "[elements]\nk = 2e6\n",
-                                 "elastic.toml"))
-           .has_value());
+  test::SceneText driven = kelvin, other_tangentially = kelvin, elastic = kelvin;
+  driven.network = "kd";
+  other_tangentially.tangential = "k | kd";
+  elastic.normal = "k";
+  for (const test::SceneText& text : {driven, other_tangentially, elastic})
+    BOOST_TEST(!reduced_model(test::scene_of(text)).has_value(), to_toml(text));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -174,10 +174,11 @@ BOOST_AUTO_TEST_CASE(the_answer_comes_first_and_needs_no_script) {
 BOOST_AUTO_TEST_CASE(the_inputs_decide) {
   const std::string html = page_of(example::scene_report(example::rigid_scene));
   // As mathematics, and no number parted from its sign.
-  BOOST_TEST(has(html,
-                 "10\u00a0% in <math><mi>M</mi></math> is 10\u00a0% in "
-                 "<math><msup><mi>v</mi><mo>*</mo></msup></math>; 10\u00a0% in "
-                 "<math><mi>T</mi></math> and <math><mi>N</mi></math> together at most 7.5\u00a0%."));
+  BOOST_TEST(
+      has(html,
+          "10\u00a0% in <math><mi>M</mi></math> is 10\u00a0% in "
+          "<math><msup><mi>v</mi><mo>*</mo></msup></math>; 10\u00a0% in "
+          "<math><mi>T</mi></math> and <math><mi>N</mi></math> together at most 7.5\u00a0%."));
   BOOST_TEST(has(html, "2\u00a0checks passed: the closest used 0.1\u00a0% of its tolerance."));
   BOOST_TEST(has(html, "<span class=\"down\" style=\"margin-left: 25.0%; width: 25.0%\">"));
   BOOST_TEST(has(html, ">−5\u00a0%</td>"));
@@ -188,29 +189,24 @@ BOOST_AUTO_TEST_CASE(a_wide_system_has_a_row_of_its_own) {
   const std::string narrow = "<div class=\"first\">", wide = "<div class=\"first wide\">";
   const std::string html = page_of(example::scene_report(example::rigid_scene));
   BOOST_TEST((has(html, narrow) && !has(html, wide)));
-  const std::string film = page_of(example::scene_report(R"toml(title = "Film"
-[contact]
-normal = "zener(kn, kn1, cn1)"
-tangential = "k1 - c1 - k2 - c2 - k1 - c1 - k2 - c2"
-[drive]
-network = "kd | cd"
-[oscillation]
-frequency = "30 kHz"
-amplitude = "50 nm"
-indentation = "0.4 um"
-[friction]
-coefficient = 0.15
-[elements]
-kn = 1e7
-kn1 = 3e6
-cn1 = 15
-k1 = 6e6
-c1 = 8000
-k2 = 9e6
-c2 = 45
-kd = 4e6
-cd = 5
-)toml"));
+  const std::string film = page_of(example::scene_report(
+      "title = \"Film\"\n" +
+      vcrit::test::to_toml({.normal = "zener(kn, kn1, cn1)",
+                            .tangential = "k1 - c1 - k2 - c2 - k1 - c1 - k2 - c2",
+                            .network = "kd | cd",
+                            .frequency = "30 kHz",
+                            .amplitude = "50 nm",
+                            .indentation = "0.4 um",
+                            .coefficient = 0.15,
+                            .elements = {{"kn", 1e7},
+                                         {"kn1", 3e6},
+                                         {"cn1", 15},
+                                         {"k1", 6e6},
+                                         {"c1", 8000},
+                                         {"k2", 9e6},
+                                         {"c2", 45},
+                                         {"kd", 4e6},
+                                         {"cd", 5}}})));
   BOOST_TEST((has(film, wide) && !has(film, narrow)));
 }
 

@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(friction_pushes_no_drive_on) {
                              .mass = 46867.00967610571,
                              .angular_frequency = 151243638.88847274,
                              .amplitude = 1.5331645987538705e-07,
-                             .indentation = {},
+                             .force = 65982.98732472933,
                              .coefficient = 0.3,
                              .elements = {{"k1", 176638464.4017339},
                                           {"k2", 3.3897675162676846},
@@ -79,8 +79,7 @@ BOOST_AUTO_TEST_CASE(friction_pushes_no_drive_on) {
                                           {"cd5", 5.658572134051975e-11},
                                           {"md6", 655497.3565770627},
                                           {"kd7", 4677684613031603.0},
-                                          {"cd8", 5.583465731964918}},
-                             .more = "[load]\nforce = 65982.98732472933\n"};
+                                          {"cd8", 5.583465731964918}}};
   const System system = system_of(test::scene_of(text));
   BOOST_CHECK_EXCEPTION(steady_state(Method::moreau, system, 8.056325363255551), ModelError,
                         [](const ModelError& error) {
