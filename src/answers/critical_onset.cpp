@@ -184,7 +184,7 @@ std::vector<int> free_harmonics(const Problem& problem) {
   const Values& values = problem.values();
   const double mass = problem->mass ? values.at(problem->mass->symbol) : 0;
   const double omega = values.at(problem->angular_frequency.symbol);
-  if (drive->has_masses()) return free_harmonics_of_masses(*drive, values, mass, omega);
+  if (rules::drive_resonates(problem)) return free_harmonics_of_masses(*drive, values, mass, omega);
   const int n = simulation::free_harmonic(relaxation_form(drive->network(), values), mass, omega,
                                           simulation::equal_in_roundings * epsilon);
   return n > 1 ? std::vector{n} : std::vector<int>{};

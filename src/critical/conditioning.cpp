@@ -7,7 +7,7 @@
 #include "base/complex.hpp"
 #include "base/constants.hpp"
 #include "critical/eq24.hpp"
-#include "network/masses.hpp"
+#include "rules/kinds.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 
 namespace vcrit {
@@ -43,9 +43,9 @@ struct InConditions {
 
   void times_drive(double& condition, ComplexDouble contact, const ReducedNetwork& network) const {
     const ComplexDouble drive = stiffness(network);
-    // Springs and masses cancel inside the drive.
-    const double loss = problem->has_masses() ? sensitivity(network.reduction(), values, omega)
-                                              : root * std::abs(drive);
+    const double loss = rules::drive_resonates(problem)
+                            ? sensitivity(network.reduction(), values, omega)
+                            : root * std::abs(drive);
     const double d = std::abs(drive - inertia()), n = std::abs(contact + drive - inertia());
     condition += (loss + 3 * inertia()) / d;
     condition += (root * std::abs(contact) + loss + 3 * inertia()) / n;

@@ -7,6 +7,7 @@
 
 #include "network/masses.hpp"
 #include "network/reduction.hpp"
+#include "rules/kinds.hpp"
 
 namespace vcrit {
 
@@ -162,8 +163,8 @@ class Measured : public DriveInBalls {
 std::unique_ptr<const DriveInBalls> drive_in_balls(const Problem& problem) {
   using Drive = std::unique_ptr<const DriveInBalls>;
   return std::visit(Overloaded{[](const Rigid&) -> Drive { return nullptr; },
-                               [](const ReducedNetwork& drive) -> Drive {
-                                 if (drive.has_masses())
+                               [&](const ReducedNetwork& drive) -> Drive {
+                                 if (rules::drive_resonates(problem))
                                    return std::make_unique<WithMasses>(drive.network());
                                  return std::make_unique<Massless>(drive);
                                },

@@ -6,8 +6,8 @@
 #include "base/errors.hpp"
 #include "critical/certified.hpp"
 #include "critical/eq24.hpp"
-#include "network/masses.hpp"
 #include "network/reduction.hpp"
+#include "rules/kinds.hpp"
 
 namespace vcrit {
 
@@ -172,10 +172,10 @@ void check_symbol(const Problem& problem, const Symbol& symbol) {
     throw InputError(argument("symbol"), name, "a symbol of the scene");
 }
 
-// A drive with masses need not give at all at some frequency, and next to that doubles cancel.
+// Next to a resonance inside the drive doubles cancel.
 double log_derivative(const Problem& problem, const Symbol& symbol) {
   check_symbol(problem, symbol);
-  if (problem->has_masses()) return certified_change(problem, symbol);
+  if (rules::drive_resonates(problem)) return certified_change(problem, symbol);
   const double change = direct(problem, symbol);
   const bool by_table = problem->receptance() != nullptr || !problem->measured.empty();
   if (by_table && !std::isfinite(change))

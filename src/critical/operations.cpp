@@ -2,8 +2,8 @@
 
 #include "critical/eq24.hpp"
 #include "network/law.hpp"
-#include "network/masses.hpp"
 #include "network/reduction.hpp"
+#include "rules/kinds.hpp"
 
 namespace vcrit {
 
@@ -123,7 +123,7 @@ struct InColumns {
 }  // namespace
 
 std::optional<Operations> operations_of(const Problem& problem) {
-  if (problem->receptance() != nullptr || problem->has_masses() || problem->mount ||
+  if (problem->receptance() != nullptr || rules::drive_resonates(problem) || problem->mount ||
       !problem->expressions.empty() || !problem->measured.empty())
     return std::nullopt;
   Recorder recorder(problem->angular_frequency.symbol);

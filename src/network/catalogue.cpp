@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "network/masses.hpp"
+
 namespace vcrit {
 
 namespace {
@@ -46,6 +48,12 @@ Network ladder(const Names& n, int rungs) {
 bool Rheology::has_arrays() const {
   return std::any_of(arguments.begin(), arguments.end(),
                      [](const auto& argument) { return argument.second == Argument::array; });
+}
+
+bool Rheology::in_drives_only() const {
+  std::vector<std::string> names;
+  for (const auto& [argument, kind] : arguments) names.push_back(argument);
+  return has_masses(build(names, has_arrays() ? 1 : 0));
 }
 
 bool Rheology::goes_by(const std::string& other) const {

@@ -22,6 +22,7 @@ struct Rheology {
   bool is_nested = false;              ///< each branch is inside the one before it
 
   bool has_arrays() const;
+  bool in_drives_only() const;                   ///< since it has masses
   bool goes_by(const std::string& other) const;  ///< whether that is one of its names
   /// "kelvin(k, c)"; by another of its names where one is given.
   std::string signature(const std::string& other = "") const;

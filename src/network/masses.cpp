@@ -43,6 +43,10 @@ bool has_masses(const Network& network) {
   return found;
 }
 
+bool of_springs_and_dampers(const Network& network) {
+  return !has_masses(network) && is_rational(network);
+}
+
 std::vector<Symbol> masses_off_the_far_end(const Network& network) {
   std::vector<Symbol> off;
   std::visit(Walk{false, true, off}, network.form);

@@ -13,6 +13,10 @@ namespace vcrit {
 
 bool has_masses(const Network& network);
 
+/// Of springs and dampers alone, without lossy springs and tables: it relaxes, by spectra and in
+/// time.
+bool of_springs_and_dampers(const Network& network);
+
 /// The masses with no end at the network's second end, in the order of writing.
 std::vector<Symbol> masses_off_the_far_end(const Network& network);
 

@@ -136,7 +136,7 @@ bool Facts::is(SceneKind kind) const {
     case SceneKind::measured_drive:
       return problem_->receptance() != nullptr;
     case SceneKind::masses_in_drive:
-      return problem_->has_masses();
+      return drive_resonates(problem_);
     case SceneKind::lossy_spring:
       return has_lossy_spring(problem_);
     case SceneKind::indenter:
@@ -199,9 +199,7 @@ bool Facts::is(SceneKind kind) const {
   throw Bug("a kind of scene without a rule");
 }
 
-bool Facts::sinks() const {
-  return problem_->load && !problem_->indenter && static_stiffness() == 0;
-}
+bool Facts::sinks() const { return load_is_mean_force(problem_) && static_stiffness() == 0; }
 
 bool Facts::depth_falls_with_amplitude() const { return problem_->load && problem_->indenter; }
 
@@ -221,7 +219,7 @@ long double Facts::static_stiffness() const {
 }
 
 long double Facts::mean_force() const {
-  if (problem_->load && !problem_->indenter) return value(*problem_->load);
+  if (load_is_mean_force(problem_)) return value(*problem_->load);
   return static_stiffness() * indentation();
 }
 
@@ -245,6 +243,10 @@ bool cells_move(const Problem& problem) { return problem->indenter.has_value(); 
 bool cells_move_one_another(const Problem& problem) {
   return cells_move(problem) && !problem->rigid();
 }
+
+bool load_is_mean_force(const Problem& problem) { return problem->load && !cells_move(problem); }
+
+bool drive_resonates(const Problem& problem) { return problem->has_masses(); }
 
 bool may_open(const Problem& problem) { return problem->separation || cells_move(problem); }
 

@@ -83,6 +83,12 @@ class Facts {
 bool cells_move(const Problem& problem);
 /// The same on a drive that gives, through which they move one another.
 bool cells_move_one_another(const Problem& problem);
+/// Whether a load is the mean force of the contact. Below an indenter it presses the cells by way
+/// of their depth.
+bool load_is_mean_force(const Problem& problem);
+/// Whether springs and masses cancel inside the drive, so that its stiffness is 0 or infinite at
+/// frequencies of its own.
+bool drive_resonates(const Problem& problem);
 /// Whether some motion that is asked for has a contact that opens: that of a scene that lets it, or
 /// of cells at the edge of an indenter.
 bool may_open(const Problem& problem);

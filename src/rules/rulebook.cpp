@@ -37,7 +37,7 @@ std::string what_keeps_it_closed(const Facts& facts) {
 /// What makes the mean force of a closed contact.
 std::string load_words(const Problem& problem) {
   const std::string name = name_in(problem, pressing(problem));
-  return problem->load && !cells_move(problem) ? name : "K_n(0) " + name;
+  return load_is_mean_force(problem) ? name : "K_n(0) " + name;
 }
 
 std::string filled(const std::string& pattern, const Facts& facts) {

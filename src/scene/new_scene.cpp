@@ -12,7 +12,6 @@
 #include "base/errors.hpp"
 #include "network/catalogue.hpp"
 #include "network/law.hpp"
-#include "network/masses.hpp"
 
 namespace vcrit {
 
@@ -34,8 +33,7 @@ Network network_of(const Rheology& rheology, const ArgumentNames& names) {
 
 const Rheology& rheology_of_part(const std::string& name, const char* argument_name) {
   for (const Rheology& rheology : catalogue())
-    if (rheology.goes_by(name) && !has_masses(network_of(rheology, argument_names(rheology))))
-      return rheology;
+    if (rheology.goes_by(name) && !rheology.in_drives_only()) return rheology;
   throw InputError(argument(argument_name), fmt::format("\"{}\"", name),
                    fmt::format("one of {}", fmt::join(rheologies_of_parts(), ", ")));
 }
@@ -131,7 +129,8 @@ std::string contact_section(const NewScene& scene, const Rheology& rheology) {
 std::string drive_sections(const NewScene& scene) {
   if (!scene.drive)
     return "# No [drive]: a rigid drive, whose speed is that of the contact.\n"
-           "\n# Where a tip's radius and moduli are known, not stiffnesses, remove the # signs, and\n"
+           "\n# Where a tip's radius and moduli are known, not stiffnesses, remove the # signs, "
+           "and\n"
            "# give moduli (\"2.9 GPa\") and viscosities (\"3.5 kPa.s\") to the elements below:\n"
            "# [indenter]\n# shape = \"parabola\"\n# radius = \"5 mm\"\n";
   const Rheology& rheology = rheology_of_part(*scene.drive, "drive");
@@ -160,7 +159,7 @@ std::string other_sections() {
 std::vector<std::string> rheologies_of_parts() {
   std::vector<std::string> names;
   for (const Rheology& rheology : catalogue()) {
-    if (has_masses(network_of(rheology, argument_names(rheology)))) continue;
+    if (rheology.in_drives_only()) continue;
     names.push_back(rheology.name);
     names.insert(names.end(), rheology.also.begin(), rheology.also.end());
   }

@@ -5,7 +5,6 @@
 #include "analysis/rheology.hpp"
 #include "derivation/factors.hpp"
 #include "formula/symbols.hpp"
-#include "network/law.hpp"
 #include "network/masses.hpp"
 
 namespace vcrit::symbolic {
@@ -86,7 +85,7 @@ ex RetardationSpectrum::sum() const {
 
 std::optional<RetardationSpectrum> retardation_spectrum(const Network& network) {
   const AlgebraLock lock;
-  if (has_masses(network) || !is_rational(network)) return std::nullopt;
+  if (!of_springs_and_dampers(network)) return std::nullopt;
   RetardationMaker maker;
   const auto* series = std::get_if<Series>(&network.form);
   for (const Network& part : series != nullptr ? series->parts : std::vector{network})

@@ -44,7 +44,6 @@ class SpectrumMaker {
     const auto* element = std::get_if<Element>(&part.form);
     if (element != nullptr && element->kind == ElementKind::maxwell && is_plain(*element))
       return add_given(*element);
-    if (!is_rational(part)) return false;
     const Fraction k = stiffness_in_lowest_terms(part);
     const StiffnessExtremes ends = extremes(part);
     spectrum_.equilibrium += ends.equilibrium;
@@ -152,7 +151,7 @@ ex RelaxationSpectrum::in_elements(const ex& expression) const {
 
 std::optional<RelaxationSpectrum> spectrum(const Network& network) {
   const AlgebraLock lock;
-  if (has_masses(network)) return std::nullopt;
+  if (!of_springs_and_dampers(network)) return std::nullopt;
   SpectrumMaker maker;
   for (const Network& part : parts_of(network))
     if (!maker.add(part)) return std::nullopt;

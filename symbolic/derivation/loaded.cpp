@@ -6,6 +6,7 @@
 #include "derivation/stiffness_forms.hpp"
 #include "formula/symbols.hpp"
 #include "network/law.hpp"
+#include "rules/kinds.hpp"
 
 namespace vcrit::symbolic {
 
@@ -42,7 +43,7 @@ std::optional<GiNaC::ex> stiffness_at_rest(const Problem& problem) {
 }
 
 std::optional<Line> indentation_line(const Problem& problem) {
-  if (!problem->load || problem->indenter) return std::nullopt;
+  if (!rules::load_is_mean_force(problem)) return std::nullopt;
   const auto stiffness = stiffness_at_rest(problem);
   if (!stiffness) return std::nullopt;
   const GiNaC::ex load = symbol(problem->load->symbol);

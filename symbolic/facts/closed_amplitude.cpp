@@ -8,6 +8,7 @@
 #include "formula/algebra_lock.hpp"
 #include "formula/rational.hpp"
 #include "network/law.hpp"
+#include "rules/kinds.hpp"
 #include "shortest/alphabet.hpp"
 #include "shortest/complex.hpp"
 #include "shortest/proof.hpp"
@@ -96,7 +97,7 @@ GaussianResidue square_of_bound(const Problem& problem, const Pressed& pressed,
 
 FoundForm find_closed_amplitude(const Problem& problem) {
   const AlgebraLock lock;
-  const bool by_load = problem->load && !problem->indenter;
+  const bool by_load = rules::load_is_mean_force(problem);
   if (!by_load && !carries_load(problem)) return {{}, "the contact carries no load at rest"};
   const auto at_rest = by_load ? std::optional<GiNaC::ex>(1) : stiffness_at_rest(problem);
   if (!at_rest) return {{}, "its formula fits no page"};

@@ -17,6 +17,7 @@
 #include "formula/names.hpp"
 #include "formula/symbols.hpp"
 #include "network/law.hpp"
+#include "rules/kinds.hpp"
 #include "rules/rulebook.hpp"
 
 namespace vcrit::symbolic {
@@ -147,7 +148,7 @@ class Facts {
 
   /// What the rulebook says of amplitudes, as far as the values for it are there.
   std::string never_closed() const {
-    if (!carries_load(problem_) && (!problem_->load || problem_->indenter)) {
+    if (!carries_load(problem_) && !rules::load_is_mean_force(problem_)) {
       const auto kind = problem_->indenter ? rules::SceneKind::no_static_load_below_indenter
                                            : rules::SceneKind::no_static_load;
       return rules::cell(rules::Question::mean_load, kind).reason;
@@ -171,7 +172,7 @@ class Facts {
   }
 
   void tell_sinking() {
-    if (!problem_->load || problem_->indenter || carries_load(problem_)) return;
+    if (!rules::load_is_mean_force(problem_) || carries_load(problem_)) return;
     const GiNaC::ex load = symbol(problem_->load->symbol);
     found_.push_back({"sinks",
                       {"The contact carries no load at rest: under ", load,
@@ -192,7 +193,7 @@ class Facts {
     FoundForm bound = find_closed_amplitude(problem_);
     if (!bound.form) {
       const GiNaC::ex K_n = quantity("K_n");
-      if (problem_->load && !problem_->indenter)
+      if (rules::load_is_mean_force(problem_))
         words += {amplitude * GiNaC::abs(K_n), " is below ", symbol(problem_->load->symbol)};
       else
         words += {amplitude * GiNaC::abs(K_n),

@@ -7,6 +7,7 @@
 #include "network/graph.hpp"
 #include "program/drive_tree.hpp"
 #include "program/measured_drive.hpp"
+#include "rules/kinds.hpp"
 #include "rules/rulebook.hpp"
 
 namespace vcrit::symbolic {
@@ -137,7 +138,7 @@ class QuantityWriter {
 
   static void write_drive(const Rigid&) {}
   void write_drive(const ReducedNetwork& drive) {
-    if (!drive.has_masses()) {
+    if (!rules::drive_resonates(problem_)) {
       result_.drive = network(drive.network());
       return;
     }

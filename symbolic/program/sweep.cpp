@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "critical/eq24.hpp"
+#include "rules/kinds.hpp"
 
 namespace vcrit::symbolic {
 
@@ -99,7 +100,7 @@ class SweepWriter {
 
   /// Polynomials whose terms add up to little more than they do are of springs and dampers alone.
   void times_drive(Velocity& v, const Tangential& t, const ReducedNetwork& drive) {
-    if (drive.has_masses()) return leave_out();
+    if (rules::drive_resonates(problem_)) return leave_out();
     const Stiffness d = network(drive.network());
     const Factor body = loaded(d, problem_->mass);
     v.above.push_back(sum(t.k, d, body, problem_->mass));

@@ -5,6 +5,7 @@
 #include "critical/eq24.hpp"
 #include "program/drive_tree.hpp"
 #include "program/measured_drive.hpp"
+#include "rules/kinds.hpp"
 #include "rules/rulebook.hpp"
 
 namespace vcrit::symbolic {
@@ -121,7 +122,8 @@ class VelocityWriter {
 
   /// |K_t + D|/|D| = |N|/(|Q_t| |D|), D and N as in velocity.hpp.
   void times_drive(Velocity& v, const Tangential& tangential, const ReducedNetwork& drive) {
-    if (drive.has_masses()) return times_pair(v, tangential, with_masses(drive.network()));
+    if (rules::drive_resonates(problem_))
+      return times_pair(v, tangential, with_masses(drive.network()));
     const Stiffness& t = tangential.k;
     const Stiffness d = network(drive.network());
     Difference body{d.t, d.t_range, 0};

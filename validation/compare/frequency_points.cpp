@@ -8,6 +8,7 @@
 #include "critical/critical_velocity.hpp"
 #include "network/masses.hpp"
 #include "normal/mount.hpp"
+#include "rules/kinds.hpp"
 #include "rules/rulebook.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 #include "stiffness/relaxation.hpp"
@@ -83,7 +84,7 @@ struct FrequencyRange {
 };
 
 void include_relaxation(FrequencyRange& range, const Network& network, const Values& values) {
-  if (has_masses(network)) return;
+  if (!of_springs_and_dampers(network)) return;
   for (const auto& branch : relaxation_form(network, values).branches)
     range.include(1 / branch.time);
 }
@@ -163,9 +164,8 @@ void add_points_around_marks(const Response& response, FrequencyResponse& result
 
 FrequencyResponse frequency_points(const Problem& problem) {
   // A measured contact is held at its numbers here, also where the drive's table goes further.
-  if (!problem->measured.empty() ||
-      (problem->receptance() == nullptr &&
-       !rules::answer(rules::Question::all_frequencies, problem)))
+  if (!problem->measured.empty() || (problem->receptance() == nullptr &&
+                                     !rules::answer(rules::Question::all_frequencies, problem)))
     return {};
   const Values& values = problem.values();
   const Response response(problem);
@@ -176,8 +176,7 @@ FrequencyResponse frequency_points(const Problem& problem) {
     result.points.push_back(response.at(omega));
     factors.push_back(response.drive_factor(result.points.back()));
   }
-  if (problem->mass || problem->receptance() != nullptr ||
-      (problem->drive_network() != nullptr && problem->drive_network()->has_masses())) {
+  if (problem->mass || problem->receptance() != nullptr || rules::drive_resonates(problem)) {
     find_extremes(response, factors, 1, result);
     find_extremes(response, factors, -1, result);
     add_points_around_marks(response, result);

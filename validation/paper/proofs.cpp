@@ -8,7 +8,6 @@
 #include "formula/symbols.hpp"
 #include "formula/value.hpp"
 #include "network/catalogue.hpp"
-#include "network/masses.hpp"
 #include "paper/comparing.hpp"
 
 namespace vcrit::validation::paper {
@@ -149,9 +148,7 @@ void prove_constant(Prover& prover) {
   for (const Rheology& rheology : catalogue()) {
     std::string call = rheology.signature();
     if (rheology.has_arrays()) call.insert(call.size() - 1, fmt::format(", {}", branches));
-    std::vector<std::string> names;
-    for (const auto& [name, kind] : rheology.arguments) names.push_back(name);
-    if (has_masses(rheology.build(names, branches))) continue;  // only a drive can be that
+    if (rheology.in_drives_only()) continue;
     const Problem problem = problem_of("normal = \"" + call + "\"\ntangential_ratio = \"r\"");
     ++result.expected;
     prover.proofs().rheologies.push_back(call);

@@ -9,7 +9,6 @@
 #include "compare/formulas.hpp"
 #include "derivation/derivation.hpp"
 #include "network/catalogue.hpp"
-#include "network/masses.hpp"
 #include "problem/problem.hpp"
 #include "report/document.hpp"
 #include "report/network_drawing.hpp"
@@ -46,17 +45,18 @@ struct Entry {
         call(signature(rheology)),
         called(rheology.called),
         meaning(rheology.meaning),
-        network(network_of(rheology)) {
+        network(network_of(rheology)),
+        in_drives_only(rheology.in_drives_only()) {
     for (const std::string& other : rheology.also) also.push_back(signature(rheology, other));
   }
   std::string name, call;
   std::vector<std::string> also;  ///< other calls of it
   std::string called, meaning;
   Network network;
+  bool in_drives_only;
 
-  bool in_a_drive_only() const { return has_masses(network); }
   bool flows() const {
-    return !in_a_drive_only() && symbolic::extremes(network).equilibrium.is_zero();
+    return !in_drives_only && symbolic::extremes(network).equilibrium.is_zero();
   }
 };
 
@@ -126,13 +126,13 @@ record::Json rheology_record(const Entry& entry) {
                       {"also", entry.also},
                       {"called", entry.called},
                       {"meaning", entry.meaning},
-                      {"in_a_drive", entry.in_a_drive_only()},
+                      {"in_a_drive", entry.in_drives_only},
                       {"flows", entry.flows()},
                       {"drawing", record::page_of(Picture{draw(entry.network), entry.called})},
                       {"stiffness", formula_record(response.stiffness)},
                       {"storage", formula_record(response.storage)},
                       {"loss", formula_record(response.loss)}};
-  if (entry.in_a_drive_only())
+  if (entry.in_drives_only)
     add_drive(entry, record);
   else
     add_contact(entry, record);

@@ -13,7 +13,6 @@
 #include "formula/algebra_lock.hpp"
 #include "formula/names.hpp"
 #include "formula/symbols.hpp"
-#include "network/law.hpp"
 #include "network/masses.hpp"
 #include "report/document.hpp"
 #include "report/material.hpp"
@@ -59,10 +58,6 @@ std::vector<Material> materials_of(const Problem& problem) {
   if (const ReducedNetwork* drive = problem->drive_network())
     found.push_back({"drive", "Drive", "K_d", drive});
   return found;
-}
-
-bool is_spring_damper(const Network& network) {
-  return !has_masses(network) && is_rational(network);
 }
 
 record::Json shown(const ex& expression) { return record::page_of(formula_of(expression)); }
@@ -234,9 +229,9 @@ record::Json material_record(const Problem& problem, const Material& material) {
                       {"stiffness", shown(k)},
                       {"inside", record::page_of(equations_of(inside))},
                       {"parts", storage_record(problem, material)},
-                      {"relaxes", is_spring_damper(network)},
+                      {"relaxes", of_springs_and_dampers(network)},
                       {"masses", has_masses(network)}};
-  if (!is_spring_damper(network)) return result;
+  if (!of_springs_and_dampers(network)) return result;
   result["ends"] = ends_record(network);
   result["relaxation"] = relaxation_record(network);
   result["retardation"] = retardation_record(network);
