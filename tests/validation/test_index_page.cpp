@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(a_line_comes_back_as_it_went) {
   scene.warnings = {"odd \xC3\xA9 \"one\""};
   SceneReport report = example::scene_report(scene);
   report.comparisons[1].found *= 1.001;
-  const SceneLine line = scene_line(report), again = scene_line(to_json(line));
+  const SceneLine line = scene_line(report), again = scene_line(vcrit::record::json_of(line));
   BOOST_TEST(again.file == line.file);
   BOOST_TEST(again.title == "Elastic contact");
   BOOST_TEST(again.state == "failed");

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
 #include "base/constants.hpp"
 #include "compare/formulas.hpp"
@@ -22,8 +21,6 @@ namespace vcrit::validation::report {
 
 namespace {
 
-using nlohmann::ordered_json;
-
 // Of logarithmic sliders, two decades each way.
 constexpr int steps_a_decade = 200, decades_each_way = 2;
 // Of Poisson's ratio, in hundredths.
@@ -37,6 +34,17 @@ struct ExploredRow {
   std::vector<std::size_t> places;  ///< among the problem's values
   std::vector<double> values;       ///< SI; of a frequency in Hz
   bool array = false, poisson = false, angular = false;
+
+  /// The page shows a slider; its script reads what that moves.
+  friend void fields(record::Fields& f, const ExploredRow& it) {
+    const int reach = steps_a_decade * decades_each_way;
+    f("name", it.name)("meaning", it.meaning).page("label", record::Markup{it.mathml});
+    f("unit", it.unit).page("low", it.poisson ? least_poisson : -reach);
+    f.page("high", it.poisson ? most_poisson : reach);
+    if (f.for_page()) return;
+    f("exponent", it.exponent)("places", it.places)("values", it.values)("array", it.array);
+    f("linear", it.poisson)("angular", it.angular);
+  }
 };
 
 bool has_explorer(const Problem& problem) {
@@ -152,39 +160,20 @@ std::vector<ExploredRow> rows_of(const Problem& problem) {
   return rows;
 }
 
-ordered_json row_json(const ExploredRow& row) {
-  return {{"name", row.name},         {"meaning", row.meaning}, {"unit", row.unit},
-          {"exponent", row.exponent}, {"places", row.places},   {"values", row.values},
-          {"array", row.array},       {"linear", row.poisson},  {"angular", row.angular}};
-}
-
-record::Json shown_row(const ExploredRow& row) {
-  const record::Fields page(record::Reader::page);
-  const int reach = steps_a_decade * decades_each_way;
-  return {{"name", row.name},
-          {"meaning", row.meaning},
-          {"label", page.written(record::Markup{row.mathml})},
-          {"unit", row.unit},
-          {"low", row.poisson ? least_poisson : -reach},
-          {"high", row.poisson ? most_poisson : reach}};
-}
-
 std::size_t row_named(const std::vector<ExploredRow>& rows, const std::string& name) {
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (rows[i].name == name) return i;
   throw Bug("a quantity without a row");
 }
 
-ordered_json data(const Problem& problem, const std::vector<ExploredRow>& rows) {
-  ordered_json object{{"file", problem->source->file},
-                      {"steps", steps_a_decade},
-                      {"scene", live::scene_text(problem)},
-                      {"amplitude", row_named(rows, "amplitude")},
-                      {"friction", row_named(rows, "coefficient")},
-                      {"separation", problem->separation},
-                      {"rows", ordered_json::array()}};
-  for (const ExploredRow& row : rows) object["rows"].push_back(row_json(row));
-  return object;
+record::Json data(const Problem& problem, const std::vector<ExploredRow>& rows) {
+  return {{"file", problem->source->file},
+          {"steps", steps_a_decade},
+          {"scene", live::scene_text(problem)},
+          {"amplitude", row_named(rows, "amplitude")},
+          {"friction", row_named(rows, "coefficient")},
+          {"separation", problem->separation},
+          {"rows", record::json_of(rows)}};
 }
 
 std::string base64(std::string_view bytes) {
@@ -199,12 +188,11 @@ std::string base64(std::string_view bytes) {
 record::Json explorer_record(const Problem& problem) {
   if (!has_explorer(problem)) return nullptr;
   const std::vector<ExploredRow> rows = rows_of(problem);
-  record::Json all = record::Json::array();
-  for (const ExploredRow& row : rows) all.push_back(shown_row(row));
   const record::Markup content{json_for_page(data(problem, rows))}, module{base64(simulator())};
   const record::Fields page(record::Reader::page);
-  return {
-      {"rows", std::move(all)}, {"data", page.written(content)}, {"module", page.written(module)}};
+  return {{"rows", page.written(rows)},
+          {"data", page.written(content)},
+          {"module", page.written(module)}};
 }
 
 std::vector<std::string> explorer_scripts(const Problem& problem) {

@@ -16,13 +16,6 @@ namespace vcrit::validation::report {
 
 namespace {
 
-record::Json index_entry(const IndexEntry& entry) {
-  record::Json record = to_json(entry.line);
-  record["page_file"] = entry.page;
-  record["file_name"] = std::filesystem::path(entry.line.file).filename().string();
-  return record;
-}
-
 /// What a link and every file system takes as it stands.
 std::string plain_stem(const std::string& stem) {
   std::string result;
@@ -44,13 +37,12 @@ std::string small(std::string text) {
 
 std::string index_page(const std::vector<IndexEntry>& entries, const Origin& origin) {
   std::size_t made = 0, failures = 0, outside = 0, without = 0;
-  record::Json record{{"entries", record::Json::array()}};
+  record::Json record{{"entries", record::page_of(entries)}};
   for (const IndexEntry& entry : entries) {
     made += entry.line.made;
     failures += entry.line.failed.size();
     outside += entry.line.state == "outside" ? 1U : 0U;
     without += entry.line.answer_words == "no answer" ? 1U : 0U;
-    record["entries"].push_back(index_entry(entry));
   }
   record["state"] = failures > 0 ? "failed" : "passed";
   record["failed_total"] = failures > 0 ? record::Json(failures) : record::Json();

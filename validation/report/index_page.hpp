@@ -1,9 +1,11 @@
 // The page over many scenes: a line each, and a way to its own page.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "record/fields.hpp"
 #include "report/origin.hpp"
 #include "report/scene_line.hpp"
 
@@ -13,6 +15,11 @@ namespace vcrit::validation::report {
 struct IndexEntry {
   SceneLine line;
   std::string page;
+
+  friend void fields(record::Fields& f, const IndexEntry& it) {
+    fields(f, it.line);
+    f("page_file", it.page)("file_name", std::filesystem::path(it.line.file).filename());
+  }
 };
 
 std::string index_page(const std::vector<IndexEntry>& entries, const Origin& origin);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "base/rounded.hpp"
 #include "report/answer_figures.hpp"
@@ -101,16 +100,14 @@ SceneLine scene_line(const SceneReport& report) {
           report.problem->source->warnings};
 }
 
-nlohmann::ordered_json to_json(const SceneLine& line) {
-  nlohmann::ordered_json json;
-  members(line, [&](const char* key, const auto& value) { json[key] = value; });
-  return json;
-}
-
-SceneLine scene_line(const nlohmann::ordered_json& json) {
+SceneLine scene_line(const record::Json& json) {
   SceneLine line;
   members(line, [&](const char* key, auto& value) { json.at(key).get_to(value); });
   return line;
 }
 
 }  // namespace vcrit::validation::report
+
+void vcrit::record::fields(Fields& f, const validation::report::SceneLine& line) {
+  validation::report::members(line, [&](const char* key, const auto& value) { f(key, value); });
+}

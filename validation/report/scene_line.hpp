@@ -2,11 +2,11 @@
 // processes.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "compare/scene_report.hpp"
+#include "record/fields.hpp"
 
 namespace vcrit::validation::report {
 
@@ -27,8 +27,13 @@ struct SceneLine {
 };
 
 SceneLine scene_line(const SceneReport& report);
-
-nlohmann::ordered_json to_json(const SceneLine& line);
-SceneLine scene_line(const nlohmann::ordered_json& json);
+/// The line of which that is the record.
+SceneLine scene_line(const record::Json& json);
 
 }  // namespace vcrit::validation::report
+
+namespace vcrit::record {
+
+void fields(Fields& f, const validation::report::SceneLine& line);
+
+}  // namespace vcrit::record

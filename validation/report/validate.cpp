@@ -39,7 +39,7 @@ std::string handed_over(const SceneContents& contents, const Machine& machine,
                         const Request& request, const SceneFiles& files) {
   const SceneReport& report = contents.report;
   const Origin origin{machine, command({report.problem->source->file})};
-  ordered_json all{{"line", to_json(scene_line(report))},
+  ordered_json all{{"line", record::json_of(scene_line(report))},
                    {"page", scene_page(contents, origin, files)},
                    {"evidence", evidence_page(contents, origin, files)},
                    {"data", scene_json(contents)},
