@@ -245,9 +245,9 @@ std::vector<Fact> facts(const Derivation& derivation) {
 
 std::vector<std::string> facts_in_text(const Problem& problem) {
   const AlgebraLock lock;
+  if (is_too_large(problem) || !rules::answer(rules::Question::derivation, problem)) return {};
   const NamesOfScene names(problem);
   std::vector<std::string> texts;
-  if (is_too_large(problem) || !rules::answer(rules::Question::derivation, problem)) return texts;
   for (const Fact& fact : facts(derive(problem))) texts.push_back(text_of(fact));
   return texts;
 }
