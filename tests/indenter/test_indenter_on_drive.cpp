@@ -94,17 +94,20 @@ struct Witness {
 Witness by_cells(const Case& c, double velocity, int count, int steps, int periods) {
   const double edge = std::sqrt(c.indentation + c.amplitude), width = edge / count;
   const double shear = shear_ratio * modulus, h = 2 * pi / steps;
-  std::vector<double> forces(static_cast<std::size_t>(count));
+  struct Cell {
+    double gap, force = 0;
+  };
+  std::vector<Cell> cells;
+  for (int i = 0; i < count; ++i) cells.push_back({std::pow((i + 0.5) * width, 2)});
   double normal = 0;
   const auto friction = [&](double t, double moved) {
+    const double depth = c.indentation + c.amplitude * std::cos(t);
     double sum = 0;
     normal = 0;
-    for (std::size_t i = 0; i < forces.size(); ++i) {
-      const double x = (static_cast<double>(i) + 0.5) * width;
-      const double bound = c.coefficient * modulus *
-                           std::max(0.0, c.indentation + c.amplitude * std::cos(t) - x * x);
-      forces[i] = std::clamp(forces[i] + shear * moved, -bound, bound);
-      sum += 2 * width * forces[i];
+    for (Cell& cell : cells) {
+      const double bound = c.coefficient * modulus * std::max(0.0, depth - cell.gap);
+      cell.force = std::clamp(cell.force + shear * moved, -bound, bound);
+      sum += 2 * width * cell.force;
       normal += 2 * width * bound;
     }
     return sum;
