@@ -38,7 +38,7 @@ std::vector<Parameter> parameters(const Problem& problem) {
   if (problem->mass) add(problem->mass->symbol, problem->mass->value);
   if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential))
     add(isotropic->quantity.symbol, isotropic->quantity.value);
-  for (const auto& [symbol, value] : problem->elements) add(symbol, value);
+  for (const auto& [symbol, value] : elements_with_values(problem)) add(symbol, value);
   return all;
 }
 

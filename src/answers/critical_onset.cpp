@@ -129,10 +129,10 @@ double simulated_log_derivative(const Problem& problem, const Symbol& symbol) {
   const CriticalOnset here = by_simulation(problem, &known);
   if (!(here.contact_velocity > 0 && std::isfinite(here.contact_velocity)))
     throw ModelError("v* is 0 or infinite, so that it has no relative sensitivity");
-  const auto found = problem.values().find(symbol);
-  if (found == problem.values().end()) return 0;  // an element of value 0, which is left out
+  const double* const found = problem.values().find(symbol);
+  if (found == nullptr) return 0;  // an element of value 0, which is left out
   const Variation changing(problem, {name});
-  const double value = found->second;
+  const double value = *found;
   const auto log_velocity = [&](double logarithm) -> std::optional<double> {
     const double changed = value * std::exp(logarithm);
     try {

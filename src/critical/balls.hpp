@@ -4,8 +4,6 @@
 #include <acb.h>
 #include <arb.h>
 
-#include <map>
-
 #include "base/units.hpp"
 #include "network/network.hpp"
 
@@ -80,8 +78,8 @@ struct Balls : Arithmetic {
   const Values& values;
   Ball omega;
   const Shift* shift = nullptr;
-  const std::map<Symbol, TypedNumber>* typed = nullptr;  ///< of the scene; none: doubles
-  ReadDecimals* decimals = nullptr;                      ///< that were read before
+  const BySymbol<TypedNumber>* typed = nullptr;  ///< of the scene; none: doubles
+  ReadDecimals* decimals = nullptr;              ///< that were read before
 
   Ball of(const Symbol& symbol) const { return shifted(symbol, values.at(symbol)); }
   Ball shifted(const Symbol& symbol, double value) const {
@@ -97,11 +95,11 @@ struct Balls : Arithmetic {
 
   /// As it was typed, where that is still the value.
   Ball exact(const Symbol& symbol, double value) const {
-    if (typed == nullptr) return Ball(value);
-    const auto found = typed->find(symbol);
-    if (found == typed->end() || found->second.value != value || found->second.decimal.empty())
-      return Ball(value);
-    return decimal(found->second);
+    const TypedNumber* const found = typed == nullptr ? nullptr : typed->find(symbol);
+    return found == nullptr || found->value != value ? Ball(value) : exact(*found);
+  }
+  Ball exact(const TypedNumber& number) const {
+    return number.decimal.empty() ? Ball(number.value) : decimal(number);
   }
 
   Ball decimal(const TypedNumber& number) const;

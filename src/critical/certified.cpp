@@ -131,13 +131,11 @@ class Evaluation {
   Ball omega(const Balls& balls) const {
     const Symbol& symbol = problem_->angular_frequency.symbol;
     const double value = values_.at(symbol);
-    const auto frequency = problem_->typed->find({"frequency"});
-    if (frequency == problem_->typed->end() || two_pi * frequency->second.value != value)
-      return balls.exact(symbol, value);
+    const std::optional<TypedNumber>& frequency = problem_->frequency;
+    if (!frequency || two_pi * frequency->value != value) return balls.exact(symbol, value);
     Ball turn;
     arb_const_pi(acb_realref(turn.get()), balls.precision);
-    return balls.multiply(balls.multiply(Ball(2), turn),
-                          balls.exact(frequency->first, frequency->second.value));
+    return balls.multiply(balls.multiply(Ball(2), turn), balls.exact(*frequency));
   }
 
   // (K_d - m omega^2) times the deflection.

@@ -43,8 +43,8 @@ struct Duals {
 
   Dual of(const Symbol& symbol) const {
     const double value = values.at(symbol);
-    if (const auto slope = following.find(symbol); slope != following.end() && by == omega_symbol)
-      return {value, slope->second};
+    if (const double* const slope = following.find(symbol); slope != nullptr && by == omega_symbol)
+      return {value, *slope};
     return {value, symbol == by ? value : 0};
   }
   static Dual constant(const TypedNumber& number) { return {number.value}; }

@@ -1,7 +1,5 @@
 #include "network/amount.hpp"
 
-#include <fmt/core.h>
-
 namespace vcrit {
 
 namespace {
@@ -97,10 +95,6 @@ std::string expression_text(const AmountTree& e,
 
 }  // namespace
 
-std::string to_text(const Symbol& symbol) {
-  return symbol.entry == 0 ? symbol.name : fmt::format("{}[{}]", symbol.name, symbol.entry);
-}
-
 AmountTreePointer make_expression(Symbol symbol, NumberRole role) {
   AmountTree made;
   made.kind = AmountTree::Kind::symbol;
@@ -157,8 +151,8 @@ std::size_t amount_operations(const Amount& amount) {
 
 std::optional<double> amount_value(const Amount& amount, const Values& values) {
   if (!amount.is_symbol()) return expression_value(*amount.expression(), values);
-  const auto value = values.find(amount.symbol());
-  return value == values.end() ? std::nullopt : std::optional(value->second);
+  const double* const value = values.find(amount.symbol());
+  return value == nullptr ? std::nullopt : std::optional(*value);
 }
 
 std::string to_text(const Amount& amount, const std::function<std::string(const Symbol&)>& name) {

@@ -1,10 +1,8 @@
 // Numbers of elements: names, and expressions of names.
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,20 +10,10 @@
 
 #include "base/errors.hpp"
 #include "base/units.hpp"
+#include "network/symbol.hpp"
+#include "network/values.hpp"
 
 namespace vcrit {
-
-/// The name of a number: a scalar ("k0"), or entry 1..N of an array ("k[3]"; entry 0: a scalar).
-struct Symbol {
-  std::string name;
-  int entry = 0;
-  friend auto operator<=>(const Symbol&, const Symbol&) = default;
-};
-
-/// "k0" or "k[3]".
-std::string to_text(const Symbol& symbol);
-
-using Values = std::map<Symbol, double>;
 
 /// What a number measures. factor: a plain number, as in "r*k0".
 enum class NumberRole { stiffness, damping, time, mass, loss_factor, factor };

@@ -49,8 +49,7 @@ struct Wiring {
 }  // namespace
 
 double value_of(const Values& values, const Symbol& symbol) {
-  const auto found = values.find(symbol);
-  if (found != values.end()) return found->second;
+  if (const double* const found = values.find(symbol)) return *found;
   throw InputError(argument("values"), fmt::format("none for {}", to_text(symbol)),
                    "a value for each symbol of the network");
 }

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <boost/container/small_vector.hpp>
+#include <algorithm>
 #include <mutex>
 #include <string_view>
 
@@ -76,90 +76,156 @@ const Range& range_of(const Resolved& parts, const Quantity& quantity) {
   return nonnegative;
 }
 
-std::variant<Rigid, ReducedNetwork, Receptance> drive_of(const Scene& scene) {
-  if (scene.receptance) return *scene.receptance;
-  if (scene.drive) return ReducedNetwork(*scene.drive);
-  return Rigid{};
+/// Its networks: normal, tangential, drive, mount.
+template <class Use>
+void for_each_network(const Resolved& parts, const Use& use) {
+  use(parts.normal.network());
+  if (const auto* own = std::get_if<ReducedNetwork>(&parts.tangential)) use(own->network());
+  if (const auto* drive = parts.drive_network()) use(drive->network());
+  if (parts.mount) use(parts.mount->network());
 }
 
-std::variant<Isotropic, ReducedNetwork> tangential_of(const Scene& scene) {
-  if (const auto* own = std::get_if<Network>(&scene.tangential)) return ReducedNetwork(*own);
-  return std::get<Isotropic>(scene.tangential);
-}
-
-std::vector<Amount> expressions_of(const Scene& scene) {
+std::vector<Amount> expressions_of(const Resolved& parts) {
   std::vector<Amount> all;
-  const auto add = [&all](const Element& element) {
-    for (const Amount* amount : {&element.coefficient, &element.second, &element.rest})
-      if (!amount->is_symbol()) all.push_back(*amount);
-  };
-  for_each_element(scene.normal, add);
-  if (const auto* own = std::get_if<Network>(&scene.tangential)) for_each_element(*own, add);
-  if (scene.drive) for_each_element(*scene.drive, add);
-  if (scene.mount) for_each_element(*scene.mount, add);
+  for_each_network(parts, [&all](const Network& network) {
+    for_each_element(network, [&all](const Element& element) {
+      for (const Amount* amount : {&element.coefficient, &element.second, &element.rest})
+        if (!amount->is_symbol()) all.push_back(*amount);
+    });
+  });
   return all;
 }
 
-// What follows omega by a table has its numbers there; outside the table it has none.
-void follow_tables(Resolved& parts) {
-  const std::optional<double>& omega = parts.angular_frequency.value;
-  for (const MeasuredStiffness& measured : parts.measured) {
-    const auto numbers = omega ? numbers_at(measured, *omega) : std::nullopt;
-    for (auto& [symbol, value] : parts.elements) {
-      if (symbol == measured.storage)
-        value = numbers ? std::optional(numbers->storage) : std::nullopt;
-      if (symbol == measured.loss_factor)
-        value = numbers ? std::optional(numbers->loss_factor) : std::nullopt;
-    }
-  }
+/// All symbols of a scene, also those without a number; of its elements the numbers.
+Values element_numbers(const Scene& scene) {
+  std::vector<Symbol> all{scene.indentation.symbol};
+  for (const auto& [symbol, value] : scene.elements) all.push_back(symbol);
+  for_each_quantity(scene, [&all](const Quantity& quantity) { all.push_back(quantity.symbol); });
+  for (const auto& [symbol, number] : scene.typed)
+    if (symbol != frequency_symbol) all.push_back(symbol);
+  Values numbers{SymbolList(std::move(all))};
+  for (const auto& [symbol, value] : scene.elements)
+    if (value) numbers[symbol] = *value;
+  return numbers;
 }
 
-Resolved parts_of(const Scene& scene) {
-  return {scene,
-          ReducedNetwork(scene.normal),
-          tangential_of(scene),
-          drive_of(scene),
-          std::make_shared<const std::map<Symbol, TypedNumber>>(scene.typed),
-          std::make_shared<const Source>(scene),
-          expressions_of(scene),
-          scene.mount ? std::optional(ReducedNetwork(*scene.mount)) : std::nullopt};
-}
+/// A scene as parts whose symbols have their places among the numbers.
+class Placing {
+ public:
+  explicit Placing(const Values& numbers) : numbers_(numbers) {}
+
+  Resolved parts_of(const Scene& scene) const {
+    Resolved parts{scene,
+                   reduced(scene.normal),
+                   tangential_of(scene),
+                   drive_of(scene),
+                   elements_of(scene),
+                   typed_of(scene),
+                   {},
+                   std::make_shared<const Source>(scene),
+                   {},
+                   {}};
+    if (scene.mount) parts.mount = reduced(*scene.mount);
+    if (const auto typed = scene.typed.find(frequency_symbol); typed != scene.typed.end())
+      parts.frequency = typed->second;
+    parts.expressions = expressions_of(parts);
+    place(parts.indentation.symbol);
+    if (parts.mount_mass) place(parts.mount_mass->symbol);
+    for_each_quantity(parts, [this](Quantity& quantity) { place(quantity.symbol); });
+    for (MeasuredStiffness& measured : parts.measured)
+      for (Symbol* symbol : {&measured.storage, &measured.loss_factor, &measured.rest})
+        place(*symbol);
+    return parts;
+  }
+
+ private:
+  void place(Symbol& symbol) const { symbol = numbers_.placed(symbol); }
+
+  ReducedNetwork reduced(Network network) const {
+    rename(network, [this](const Symbol& symbol) { return numbers_.placed(symbol); });
+    return ReducedNetwork(std::move(network));
+  }
+
+  std::variant<Rigid, ReducedNetwork, Receptance> drive_of(const Scene& scene) const {
+    if (scene.receptance) return *scene.receptance;
+    if (scene.drive) return reduced(*scene.drive);
+    return Rigid{};
+  }
+
+  std::variant<Isotropic, ReducedNetwork> tangential_of(const Scene& scene) const {
+    if (const auto* own = std::get_if<Network>(&scene.tangential)) return reduced(*own);
+    return std::get<Isotropic>(scene.tangential);
+  }
+
+  std::shared_ptr<const std::vector<Symbol>> elements_of(const Scene& scene) const {
+    auto elements = std::make_shared<std::vector<Symbol>>();
+    for (const auto& [symbol, value] : scene.elements) elements->push_back(numbers_.placed(symbol));
+    return elements;
+  }
+
+  std::shared_ptr<const BySymbol<TypedNumber>> typed_of(const Scene& scene) const {
+    auto typed = std::make_shared<BySymbol<TypedNumber>>(BySymbol<TypedNumber>::beside(numbers_));
+    for (const auto& [symbol, number] : scene.typed)
+      if (symbol != frequency_symbol) typed->emplace(symbol, number);
+    return typed;
+  }
+
+  const Values& numbers_;
+};
 
 }  // namespace
 
 /// The parts, and their values checked.
 struct Problem::Checked {
-  explicit Checked(Resolved resolved) : parts(std::move(resolved)) { check(); }
+  Checked(Resolved resolved, const Values& numbers) : parts(std::move(resolved)), values(numbers) {
+    check();
+  }
 
   /// With these values in place of others. A sweep makes a problem a row: parts are copied once,
   /// and what stays as it is is not checked again.
   Checked(const Checked& other, const Values& changed) : parts(other.parts), values(other.values) {
-    Changes changes;
-    put(changed, changes);
-    if (!parts.measured.empty() || !other.missing.empty()) {
-      check();
-      return;
+    bool fits = true;
+    for (const auto& [symbol, value] : changed)
+      if (symbol != frequency_symbol) fits = put(symbol, value) && fits;
+    if (const double* const frequency = changed.find(frequency_symbol)) {
+      fits = put(parts.angular_frequency.symbol, two_pi * *frequency) && fits;
+      parts.frequency = TypedNumber{*frequency, {}};
     }
-    for (const auto& [symbol, value, range] : changes)
-      values.at(*symbol) = within(
-          *range, value, [&, named = symbol] { return to_text(called(parts.names, *named)); });
-    check_expressions();
+    if (shares_mass(parts)) parts.mount_mass->value = parts.mass->value;
+    if (fits && parts.measured.empty() && other.missing.empty())
+      check_expressions();
+    else
+      check();
   }
 
   void check() {
-    follow_tables(parts);
-    values.clear();
+    follow_tables();
+    const Values given = std::exchange(values, Values::beside(values));
     // Reading leaves elements of value 0 out of the networks.
-    for (const auto& [symbol, value] : parts.elements)
-      if (parts.of_table(symbol)) {
-        if (value) values[symbol] = *value;  // a loss factor may be 0
-      } else {
-        add(symbol, value, positive);
-      }
+    for (const Symbol& symbol : *parts.elements) {
+      const double* const value = given.find(symbol);
+      if (!parts.of_table(symbol))
+        add(symbol, value == nullptr ? std::nullopt : std::optional(*value), positive);
+      else if (value != nullptr)
+        values[symbol] = *value;  // a loss factor may be 0
+    }
     for_each_quantity(std::as_const(parts), [&](const Quantity& quantity) {
       add(quantity.symbol, quantity.value, range_of(parts, quantity), key_of(parts, quantity));
     });
     check_expressions();
+  }
+
+  /// What follows omega by a table has its numbers there; outside the table it has none.
+  void follow_tables() {
+    const std::optional<double>& omega = parts.angular_frequency.value;
+    for (const MeasuredStiffness& measured : parts.measured) {
+      values.erase(measured.storage);
+      values.erase(measured.loss_factor);
+      const auto numbers = omega ? numbers_at(measured, *omega) : std::nullopt;
+      if (!numbers) continue;
+      values[measured.storage] = numbers->storage;
+      values[measured.loss_factor] = numbers->loss_factor;
+    }
   }
 
   void check_expressions() const {
@@ -168,50 +234,23 @@ struct Problem::Checked {
         within(positive, *value, [&] { return text_of(amount); });
   }
 
-  struct Change {
-    const Symbol* symbol;
-    double value;
-    const Range* range;
-  };
-  using Changes = boost::container::small_vector<Change, 4>;
-
-  /// Into the parts.
-  void put(const Values& changed, Changes& changes) {
-    const auto frequency = changed.find(frequency_symbol);
-    std::size_t found = frequency == changed.end() ? 0 : 1;
-    const auto given = [&](const Symbol& symbol, std::optional<double>& value) {
-      const auto other = changed.find(symbol);
-      if (other == changed.end()) return false;
-      value = other->second;
-      ++found;
-      return true;
-    };
-    for (auto& [symbol, value] : parts.elements)
-      if (given(symbol, value)) changes.push_back({&symbol, *value, &positive});
+  /// Whether the scene may have it: check() says why not.
+  bool put(const Symbol& symbol, double value) {
+    const Range* range = values.contains(symbol) || is_element(symbol) ? &positive : nullptr;
     for_each_quantity(parts, [&](Quantity& quantity) {
-      bool changes_it = given(quantity.symbol, quantity.value);
-      if (frequency != changed.end() && &quantity == &parts.angular_frequency) {
-        quantity.value = two_pi * frequency->second;
-        changes_it = true;
-      }
-      if (changes_it)
-        changes.push_back({&quantity.symbol, *quantity.value, &range_of(parts, quantity)});
+      if (quantity.symbol != symbol) return;
+      quantity.value = value;
+      range = &range_of(parts, quantity);
     });
-    if (found < changed.size()) refuse_unknown(changed);
-    if (shares_mass(parts)) parts.mount_mass->value = parts.mass->value;
-    if (frequency == changed.end()) return;
-    auto typed = std::make_shared<std::map<Symbol, TypedNumber>>(*parts.typed);
-    (*typed)[frequency_symbol] = {frequency->second, {}};
-    parts.typed = std::move(typed);
+    if (range == nullptr)
+      throw InputError(argument("values"), "one for " + to_text(symbol),
+                       "values of symbols that the scene has");
+    values[symbol] = value;
+    return range->holds(value);
   }
 
-  [[noreturn]] void refuse_unknown(const Values& changed) const {
-    Values left = changed;
-    left.erase(frequency_symbol);
-    for (const auto& [symbol, value] : parts.elements) left.erase(symbol);
-    for_each_quantity(parts, [&](const Quantity& quantity) { left.erase(quantity.symbol); });
-    throw InputError(argument("values"), "one for " + to_text(left.begin()->first),
-                     "values of symbols that the scene has");
+  bool is_element(const Symbol& symbol) const {
+    return std::ranges::find(*parts.elements, symbol) != parts.elements->end();
   }
 
   void add(const Symbol& symbol, const std::optional<double>& value, const Range& range,
@@ -258,12 +297,14 @@ struct Problem::Checked {
   mutable std::optional<double> indentation;  // of a load
 };
 
-Problem::Problem(Resolved resolved)
-    : checked_(std::make_shared<const Checked>(std::move(resolved))) {}
+Problem::Problem(Resolved resolved, const Values& numbers)
+    : checked_(std::make_shared<const Checked>(std::move(resolved), numbers)) {}
 
-Problem::Problem(const Scene& scene) : Problem(parts_of(scene)) {
-  Values elements;
-  for (const auto& [symbol, value] : (*this)->elements)
+Problem::Problem(const Scene& scene) {
+  const Values numbers = element_numbers(scene);
+  checked_ = std::make_shared<const Checked>(Placing(numbers).parts_of(scene), numbers);
+  Values elements = Values::beside(numbers);
+  for (const auto& [symbol, value] : elements_with_values(*this))
     if (value) elements[symbol] = *value;
   if (elements.size() == scene.elements.size()) check_members(scene, elements);
 }
@@ -315,12 +356,18 @@ std::vector<Quantity> quantities(const Problem& problem) {
   return all;
 }
 
+std::vector<Quantity> elements_with_values(const Problem& problem) {
+  std::vector<Quantity> all;
+  for (const Symbol& symbol : *problem->elements) {
+    const double* const value = problem.known_values().find(symbol);
+    all.push_back({symbol, value == nullptr ? std::nullopt : std::optional(*value)});
+  }
+  return all;
+}
+
 void for_each_element(const Problem& problem, const std::function<void(const Element&)>& visit) {
-  for_each_element(problem->normal.network(), visit);
-  if (const auto* tangential = std::get_if<ReducedNetwork>(&problem->tangential))
-    for_each_element(tangential->network(), visit);
-  if (const auto* drive = problem->drive_network()) for_each_element(drive->network(), visit);
-  if (problem->mount) for_each_element(problem->mount->network(), visit);
+  for_each_network(*problem,
+                   [&visit](const Network& network) { for_each_element(network, visit); });
 }
 
 std::optional<std::string> beyond_fitted_range(const Problem& problem, double from, double to) {

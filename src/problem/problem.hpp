@@ -31,7 +31,10 @@ struct Resolved : Givens {
   std::variant<Isotropic, ReducedNetwork> tangential;
   /// K_d, a network that may hold masses, or 1/K_d as a table. Who acts on it visits all three.
   std::variant<Rigid, ReducedNetwork, Receptance> drive;
-  std::shared_ptr<const std::map<Symbol, TypedNumber>> typed;  ///< as of a scene
+  /// The symbols of its networks' numbers, in order of writing.
+  std::shared_ptr<const std::vector<Symbol>> elements;
+  std::shared_ptr<const BySymbol<TypedNumber>> typed;  ///< as of a scene
+  std::optional<TypedNumber> frequency;                ///< f (Hz), where omega was given by it
   std::shared_ptr<const Source> source;
   std::vector<Amount> expressions = {};  ///< numbers of elements that are made of others
   /// K_m between vibrator and body along the normal; without it the vibrator is the body.
@@ -84,7 +87,8 @@ class Problem {
  private:
   friend class Variant;
   struct Checked;
-  explicit Problem(Resolved resolved);
+  /// `numbers`: those of its elements.
+  Problem(Resolved resolved, const Values& numbers);
   const Resolved& resolved() const;
 
   std::shared_ptr<const Checked> checked_;
@@ -104,6 +108,9 @@ const Quantity& pressing(const Problem& problem);
 /// The quantities that have names of their own; those of isotropic contact, body and indenter among
 /// them.
 std::vector<Quantity> quantities(const Problem& problem);
+
+/// The numbers of its networks, in the order of writing, with their values.
+std::vector<Quantity> elements_with_values(const Problem& problem);
 
 /// Calls `visit` for every element of its networks: normal, tangential, drive, mount, in the order
 /// of writing.

@@ -7,15 +7,17 @@ namespace vcrit {
 /// Makes problems of another structure.
 class Variant {
  public:
-  explicit Variant(const Problem& problem) : parts(*problem) {}
-  Problem made() { return Problem(std::move(parts)); }
+  explicit Variant(const Problem& problem) : parts(*problem), values(problem.known_values()) {}
+  Problem made() { return Problem(std::move(parts), values); }
 
   Resolved parts;
+  Values values;
 };
 
 Problem as_doubles(const Problem& problem) {
   Variant variant(problem);
-  variant.parts.typed = std::make_shared<const std::map<Symbol, TypedNumber>>();
+  variant.parts.typed = std::make_shared<const BySymbol<TypedNumber>>();
+  variant.parts.frequency.reset();
   return variant.made();
 }
 
@@ -57,7 +59,10 @@ Problem over_spring(const Problem& problem, ReducedNetwork normal, const Symbol&
   Variant variant(problem);
   variant.parts.normal = std::move(normal);
   variant.parts.tangential = ReducedNetwork(spring(stiffness));
-  variant.parts.elements.emplace_back(stiffness, 1.0);
+  std::vector<Symbol> elements = *problem->elements;
+  elements.push_back(stiffness);
+  variant.parts.elements = std::make_shared<const std::vector<Symbol>>(std::move(elements));
+  variant.values[stiffness] = 1;
   variant.parts.drive = Rigid{};
   variant.parts.mass.reset();
   variant.parts.indenter.reset();
@@ -76,7 +81,8 @@ Problem with_indenter(const Problem& problem, const Indenter& indenter) {
 Problem with_normal_spring(const Problem& problem, const Symbol& symbol, double stiffness) {
   Variant variant(problem);
   variant.parts.normal = ReducedNetwork(spring(symbol));
-  variant.parts.elements = {{symbol, stiffness}};
+  variant.parts.elements = std::make_shared<const std::vector<Symbol>>(1, symbol);
+  variant.values[symbol] = stiffness;
   return variant.made();
 }
 

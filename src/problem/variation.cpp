@@ -32,6 +32,7 @@ Variation::Variation(Problem problem, std::vector<std::string> names)
     refuse_expression(source, name, OverridingValues::place(name));
     known_dimension(name, source.settable, OverridingValues::place(name), source.named);
     targets_.push_back(target(name));
+    changes_[symbol_of(targets_.back())] = 0;
     const auto [other, is_new] = seen.emplace(targets_.back().symbol, name);
     if (!is_new)
       throw InputError(OverridingValues::place(name),
@@ -40,6 +41,10 @@ Variation::Variation(Problem problem, std::vector<std::string> names)
       return target(setting.first).symbol == targets_.back().symbol;
     });
   }
+}
+
+const Symbol& Variation::symbol_of(const Target& target) {
+  return target.factor == 1 ? target.symbol : frequency_symbol;
 }
 
 Variation::Target Variation::target(const std::string& name) const {
@@ -53,7 +58,7 @@ Variation::Target Variation::target(const std::string& name) const {
       return {symbol, 1, isotropic->by == Isotropic::By::poisson};
   for (const Quantity& quantity : quantities(problem_))
     if (quantity.symbol == symbol) return {symbol};
-  for (const auto& [element, value] : problem_->elements)
+  for (const Symbol& element : *problem_->elements)
     if (element == symbol || to_text(element) == symbol.name) return {element};
   return {symbol, 1, false, true};
 }
@@ -72,9 +77,8 @@ void Variation::refuse(std::span<const double> values) const {
 
 Problem Variation::at(std::span<const double> values) const {
   if (fit(values)) {
-    Values changed;
-    for (std::size_t i = 0; i < values.size(); ++i)
-      changed[targets_[i].factor == 1 ? targets_[i].symbol : frequency_symbol] = values[i];
+    Values changed = changes_;
+    for (std::size_t i = 0; i < values.size(); ++i) changed[symbol_of(targets_[i])] = values[i];
     return problem_.with(changed);
   }
   Settings settings = settings_;

@@ -32,6 +32,7 @@ class Variation {
   const std::vector<Target>& targets() const { return targets_; }
 
  private:
+  static const Symbol& symbol_of(const Target& target);
   Target target(const std::string& name) const;
   bool fit(std::span<const double> values) const;
 
@@ -39,6 +40,7 @@ class Variation {
   std::vector<std::string> names_;
   Settings settings_;  // but those of the targets
   std::vector<Target> targets_;
+  Values changes_;  // any, of what the targets are to the problem
 };
 
 /// What one name stands for, as there.

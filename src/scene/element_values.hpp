@@ -64,7 +64,7 @@ class ElementValues {
   Complaints& complaints_;
   std::optional<ElementExpressions> expressions_;
   Uses uses_;
-  Values values_;
+  std::map<Symbol, double> values_;
 };
 
 }  // namespace vcrit

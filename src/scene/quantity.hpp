@@ -81,8 +81,6 @@ struct Givens {
   /// m_n (kg), what moves with the contact along the normal; may be the body's own symbol. Only
   /// with a mount.
   std::optional<Quantity> mount_mass;
-  std::vector<std::pair<Symbol, std::optional<double>>>
-      elements;                                  ///< of the networks, in order of writing
   std::vector<MeasuredStiffness> measured = {};  ///< of the contact, normal and tangential
   /// The names that a scene gives its symbols, by the names that they have here: "M" of "m" where
   /// mass = "M". All that is not among them is written as it is called here.

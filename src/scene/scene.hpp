@@ -6,7 +6,9 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "base/errors.hpp"
 #include "base/units.hpp"
@@ -17,6 +19,8 @@
 namespace vcrit {
 
 struct Scene : Source, Givens {
+  std::vector<std::pair<Symbol, std::optional<double>>>
+      elements;    ///< the numbers of the networks, in order of writing
   Network normal;  ///< K_n; E of the half-space below an indenter
   std::variant<Isotropic, Network>
       tangential;                ///< K_t; equal networks have become Isotropic, ratio 1

@@ -52,7 +52,7 @@ using Decimals = std::map<std::string, GiNaC::numeric>;
 /// The decimals of elements and mass; nothing if one is missing.
 std::optional<Decimals> decimals(const Problem& problem) {
   Decimals result;
-  for (const auto& [symbol, value] : problem->elements) {
+  for (const auto& [symbol, value] : elements_with_values(problem)) {
     if (!value) return std::nullopt;
     result[to_text(symbol)] = exact_decimal(*value);
   }
@@ -110,7 +110,7 @@ std::set<Symbol> compared_symbols(const Problem& problem, bool with_elements) {
   std::set<Symbol> result{problem->coefficient.symbol, problem->angular_frequency.symbol,
                           problem->amplitude.symbol};
   if (!with_elements) return result;
-  for (const auto& [symbol, value] : problem->elements) result.insert(symbol);
+  for (const Symbol& symbol : *problem->elements) result.insert(symbol);
   if (problem->mass) result.insert(problem->mass->symbol);
   if (problem->mount_mass) result.insert(problem->mount_mass->symbol);
   if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential))
@@ -123,16 +123,16 @@ std::set<Symbol> compared_symbols(const Problem& problem, bool with_elements) {
 Problem with_numbers(const Problem& problem, const Values& values) {
   Values own{{pressing(problem).symbol, 1}};
   const auto add = [&](const Symbol& symbol) {
-    if (const auto found = values.find(symbol); found != values.end()) own.insert(*found);
+    if (const double* const found = values.find(symbol)) own.emplace(symbol, *found);
   };
-  for (const auto& [symbol, value] : problem->elements) add(symbol);
+  for (const Symbol& symbol : *problem->elements) add(symbol);
   for (const Quantity& quantity : quantities(problem)) add(quantity.symbol);
   return problem.with(own);
 }
 
 /// Small numbers for the symbols; Poisson's ratio among them needs to be below 1/2.
-std::map<Symbol, double> small_numbers(const std::set<Symbol>& symbols, std::uint64_t point) {
-  std::map<Symbol, double> result;
+Values small_numbers(const std::set<Symbol>& symbols, std::uint64_t point) {
+  Values result;
   for (const Symbol& symbol : symbols)
     result[symbol] = static_cast<double>(named_point(point)(to_text(symbol)).value() % 19 + 1) / 40;
   return result;
@@ -158,8 +158,8 @@ void refuse_two_tables(const Problem& a, const Problem& b) {
 }
 
 /// Values at a point of that number.
-std::map<Symbol, double> values_at(std::uint64_t point, const std::set<Symbol>& symbols,
-                                   Equality::Scope scope, const Problem& a, const Problem& b) {
+Values values_at(std::uint64_t point, const std::set<Symbol>& symbols, Equality::Scope scope,
+                 const Problem& a, const Problem& b) {
   auto values = small_numbers(symbols, point);
   // Elements with values of their own show their difference somewhere over these decades.
   if (scope == Equality::Scope::values)
@@ -173,8 +173,8 @@ std::map<Symbol, double> values_at(std::uint64_t point, const std::set<Symbol>& 
 constexpr std::uint64_t tried_points = 64;
 
 /// By the names that one of the scenes gives the symbols.
-std::vector<std::pair<Symbol, double>> called_by_scenes(const std::map<Symbol, double>& values,
-                                                        const Problem& a, const Problem& b) {
+std::vector<std::pair<Symbol, double>> called_by_scenes(const Values& values, const Problem& a,
+                                                        const Problem& b) {
   std::vector<std::pair<Symbol, double>> all;
   for (const auto& [symbol, value] : values)
     all.emplace_back(as_called(a->names.contains(symbol.name) ? a : b, symbol), value);
@@ -188,8 +188,7 @@ Problem with_ratio_of(const Problem& a, const Problem& b) {
   if (ratio == nullptr || other == nullptr || ratio->by != other->by) return b;
   if (ratio->quantity.value || other->quantity.value) return b;
   const Symbol& symbol = ratio->quantity.symbol;
-  const bool is_element = std::any_of(b->elements.begin(), b->elements.end(),
-                                      [&](const auto& each) { return each.first == symbol; });
+  const bool is_element = std::ranges::find(*b->elements, symbol) != b->elements->end();
   return is_element ? b : with_isotropic(b, *ratio);
 }
 

@@ -104,7 +104,7 @@ std::vector<Symbol> parameters(const Problem& problem, const Formula& formula) {
   const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
   if (isotropic != nullptr && !isotropic->quantity.value)
     candidates.push_back(isotropic->quantity.symbol);
-  for (const auto& [symbol, value] : problem->elements) candidates.push_back(symbol);
+  for (const Symbol& symbol : *problem->elements) candidates.push_back(symbol);
 
   std::set<std::string> there;
   const auto collect = [&there](const ex& expression) {

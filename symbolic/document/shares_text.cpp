@@ -17,7 +17,7 @@ std::vector<Symbol> numbers_of(const Problem& problem) {
   std::vector<Symbol> symbols;
   for (const Quantity& quantity : quantities(problem))
     if (quantity.value) symbols.push_back(quantity.symbol);
-  for (const auto& [symbol, value] : problem->elements) symbols.push_back(symbol);
+  for (const Symbol& symbol : *problem->elements) symbols.push_back(symbol);
   return symbols;
 }
 

@@ -20,7 +20,7 @@ class Fixable {
   explicit Fixable(const Problem& problem) : problem_(problem) {
     for (const auto& [name, length] : problem->source->arrays)
       known_[as_called(problem, {name}).name];
-    for (const auto& [symbol, value] : problem->elements) {
+    for (const auto& [symbol, value] : elements_with_values(problem)) {
       add({symbol, value});
       if (symbol.entry > 0) known_[as_called(problem, symbol).name].push_back({symbol, value});
     }

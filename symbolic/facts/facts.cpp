@@ -70,7 +70,7 @@ class Facts {
     if (problem_->mount_mass && problem_->mass &&
         problem_->mount_mass->symbol != problem_->mass->symbol)
       symbols.push_back(problem_->mount_mass->symbol);
-    for (const auto& [symbol, value] : problem_->elements)
+    for (const Symbol& symbol : *problem_->elements)
       if (!is_rest(symbol)) symbols.push_back(symbol);
     return symbols;
   }
@@ -262,7 +262,7 @@ std::string text_of(const Fact& fact) {
 
 Prose listed(const std::vector<Symbol>& symbols, const Problem& problem) {
   std::map<std::string, std::size_t> entries, here;
-  for (const auto& [symbol, value] : problem->elements) ++entries[symbol.name];
+  for (const Symbol& symbol : *problem->elements) ++entries[symbol.name];
   for (const Symbol& symbol : symbols) ++here[symbol.name];
   std::vector<Symbol> names;
   for (const Symbol& symbol : symbols) {

@@ -38,7 +38,7 @@ std::string base_name(const std::string& name) {
 
 NamesOfScene::NamesOfScene(const Problem& problem) : names_(problem->names), before_(printing) {
   std::vector<std::string> names;
-  for (const auto& [symbol, value] : problem->elements) {
+  for (const Symbol& symbol : *problem->elements) {
     const Symbol called = as_called(problem, symbol);
     names.push_back(called.name);
     if (called.entry > 0) entries_.insert(setting_of(to_text(called)));
@@ -52,7 +52,7 @@ NamesOfScene::NamesOfScene(const Problem& problem) : names_(problem->names), bef
     for (const char* prefix : group_prefixes)
       groups_by_setting_.try_emplace(setting_of(prefix + name), prefix + name);
   }
-  for (const auto& [symbol, value] : problem->elements) {
+  for (const Symbol& symbol : *problem->elements) {
     const Symbol called = as_called(problem, symbol);
     if (called.entry > 0 && by_setting_.contains(setting_of(to_text(called))))
       ambiguous_.insert(called.name);

@@ -214,7 +214,7 @@ Proof::Proof(const Derivation& derivation, const SymbolValue& value)
     const Node& node = program[value(program, symbol)];
     if (node.operation == Node::Operation::constant) fixed_[to_text(symbol)] = node.constant;
   };
-  for (const auto& [symbol, number] : problem_->elements) fix(symbol);
+  for (const Symbol& symbol : *problem_->elements) fix(symbol);
   for (const Quantity& quantity : quantities(problem_)) fix(quantity.symbol);
   const auto* isotropic = std::get_if<Isotropic>(&problem_->tangential);
   if (isotropic == nullptr || !isotropic->quantity.value) return;

@@ -50,7 +50,7 @@ Scene random_scene(test::RandomScenes& scenes, int i) {
 
 Values random_values(const Problem& problem) {
   Values values;
-  for (const auto& [symbol, value] : problem->elements) values[symbol] = magnitude();
+  for (const Symbol& symbol : *problem->elements) values[symbol] = magnitude();
   for (const Quantity& quantity : quantities(problem)) values[quantity.symbol] = magnitude();
   if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential)) {
     values.erase(isotropic->quantity.symbol);

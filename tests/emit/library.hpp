@@ -53,8 +53,8 @@ inline std::vector<double> members(const Scene& scene, const symbolic::Parameter
   std::vector<double> result;
   for (const symbolic::Member& member : parameters.members())
     for (int entry = member.length == 0 ? 0 : 1; entry <= member.length; ++entry) {
-      const auto value = values.find({member.name, entry});
-      result.push_back(value == values.end() ? 0.0 : value->second);
+      const double* const value = values.find({member.name, entry});
+      result.push_back(value == nullptr ? 0.0 : *value);
     }
   return result;
 }

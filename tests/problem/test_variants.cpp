@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(indenters_and_separation) {
   BOOST_TEST((problem->indenter->shape != Shape::flat));
   const Problem elastic = with_normal_spring(problem, {"E"}, 3);
   BOOST_TEST((elastic->normal.network() == spring({"E"})));
-  BOOST_TEST(elastic->elements.size() == 1U);
+  BOOST_TEST(elastic->elements->size() == 1U);
   BOOST_TEST(!staying_closed(problem)->separation);
 }
 

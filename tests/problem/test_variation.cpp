@@ -22,7 +22,7 @@ void check(const std::string& file, const std::vector<std::string>& names,
     Settings settings = base;
     for (std::size_t i = 0; i < names.size(); ++i) settings.emplace_back(names[i], to_text(row[i]));
     const Problem again = read_problem(VCRIT_SCENES "/" + file, settings);
-    BOOST_TEST((problem->elements == again->elements));
+    BOOST_TEST((*problem->elements == *again->elements));
     BOOST_TEST((problem.values() == again.values()));
     BOOST_TEST((problem->normal.network() == again->normal.network()));
     BOOST_TEST(problem->tangential.index() == again->tangential.index());

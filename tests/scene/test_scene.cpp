@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_named_is_not_there) {
   const Scene s = scene(kelvin + oscillation + friction + kelvin_values);
   BOOST_TEST(!s.drive.has_value());
   BOOST_TEST(!s.mass.has_value());
-  BOOST_TEST(resolve(s).values().count({"m"}) == 0);
+  BOOST_TEST(!resolve(s).values().contains({"m"}));
 }
 
 BOOST_AUTO_TEST_CASE(a_mass_under_a_rigid_drive_is_left_out) {
@@ -183,7 +183,7 @@ BOOST_AUTO_TEST_CASE(arrays_of_a_prony_series) {
   const Scene s = scene(text);
   BOOST_TEST(s.arrays.at("k") == 3);
   BOOST_TEST(resolve(s).values().at({"k", 2}) == 3000);
-  BOOST_TEST(resolve(s).values().count({"k", 3}) == 0);  // a branch of stiffness 0 is left out
+  BOOST_TEST(!resolve(s).values().contains({"k", 3}));  // a branch of stiffness 0 is left out
   BOOST_TEST(resolve(scene(text, {{"k[1]", "7"}})).values().at({"k", 1}) == 7);
   BOOST_TEST(scene(contact("prony(k0, k, tau, 10)")).elements.size() == 21);
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <boost/test/unit_test.hpp>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -126,6 +127,21 @@ BOOST_AUTO_TEST_CASE(rows_of_other_scenes) {
     BOOST_TEST(
         rows <= requests_of_100_rows(swept, "critical_velocity") + 100 * (row.problem + row.motion),
         swept.scene);
+  }
+}
+
+// Its problem takes three: what it is, the array of its numbers, and that of the numbers of the
+// row.
+BOOST_AUTO_TEST_CASE(the_problem_of_a_row_takes_no_more_for_more_numbers) {
+  for (const std::size_t branches : {3U, 100U}) {
+    std::vector<double> numbers(branches);
+    std::iota(numbers.begin(), numbers.end(), 1.0);
+    const Variation varied(
+        test::scene_of({.normal = "prony(k0, k, tau)",
+                        .elements = {{"k0", 1}, {"k", numbers}, {"tau", numbers}}}),
+        {"amplitude", "frequency"});
+    const double row[] = {0.05, 3};
+    BOOST_TEST(test::heap_requests([&] { varied.at(row); }) == 3, branches);
   }
 }
 

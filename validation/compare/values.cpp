@@ -78,7 +78,7 @@ std::vector<ValueLine> value_lines(const Problem& problem) {
       add(size.symbol,
           {si_unit(problem->source->settable.at(size.symbol.name)), "size of the indenter"});
   const auto kinds = kinds_of_elements(problem);
-  for (const auto& [symbol, value] : problem->elements)
+  for (const Symbol& symbol : *problem->elements)
     if (const auto kind = kinds.find(symbol); kind != kinds.end()) add(symbol, kind->second);
   return lines;
 }

@@ -226,6 +226,8 @@ std::variant<Isotropic, Network> tangential_of(const Problem& problem) {
 std::string scene_text(const Problem& problem) {
   Scene scene;
   static_cast<Givens&>(scene) = *problem;
+  for (const auto& [symbol, value] : elements_with_values(problem))
+    scene.elements.emplace_back(symbol, value);
   scene.file = problem->source->file;
   scene.normal = problem->normal.network();
   scene.tangential = tangential_of(problem);

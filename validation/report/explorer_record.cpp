@@ -53,7 +53,9 @@ bool has_explorer(const Problem& problem) {
 
 std::size_t place_among(const Problem& problem, const Symbol& symbol) {
   const Values& values = problem.values();
-  return static_cast<std::size_t>(std::distance(values.begin(), values.find(symbol)));
+  const auto at =
+      std::ranges::find_if(values, [&](const auto& pair) { return pair.first == symbol; });
+  return static_cast<std::size_t>(std::distance(values.begin(), at));
 }
 
 /// As engineers write them: "N/µm", not "MN/m"; "0.1 µm", not "100 nm".
@@ -79,8 +81,7 @@ void take_unit(ExploredRow& row, const std::string& unit, double value) {
 }
 
 double typed_frequency(const Problem& problem, double omega) {
-  const auto typed = problem->typed->find(frequency_symbol);
-  return typed != problem->typed->end() ? typed->second.value : omega / two_pi;
+  return problem->frequency ? problem->frequency->value : omega / two_pi;
 }
 
 struct Called {

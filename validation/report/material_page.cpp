@@ -149,13 +149,11 @@ record::Json retardation_record(const Network& network) {
 
 /// Values of all elements of the network, or none.
 std::optional<Values> values_of(const Problem& problem, const Network& network) {
-  Values given, values;
-  for (const auto& [symbol, value] : problem->elements)
-    if (value) given[symbol] = *value;
+  Values values;
   for (const Symbol& symbol : symbols_of(network)) {
-    const auto found = given.find(symbol);
-    if (found == given.end()) return std::nullopt;
-    values.insert(*found);
+    const double* const found = problem.known_values().find(symbol);
+    if (found == nullptr) return std::nullopt;
+    values[symbol] = *found;
   }
   return values;
 }

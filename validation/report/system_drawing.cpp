@@ -50,10 +50,10 @@ class DrawnNetwork {
         const NumberRow& row = number_row(role);
         const Dimension dimension = of_half_space ? row.in_half_space : row.dimension;
         const char* unit = dimension == Dimension::none ? "" : si_unit(dimension);
-        const auto known = problem.values().find(symbol);
-        if (known == problem.values().end()) return;
+        const double* const known = problem.values().find(symbol);
+        if (known == nullptr) return;
         order.push_back(as_called(problem, symbol));
-        words[order.back()] = " = " + quantity(known->second, unit, 4);
+        words[order.back()] = " = " + quantity(*known, unit, 4);
       });
     });
     rename(network, [&](const Symbol& symbol) { return as_called(problem, symbol); });

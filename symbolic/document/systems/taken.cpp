@@ -160,7 +160,7 @@ std::vector<TakenParameter> parameters_of(const Problem& problem, std::set<std::
                                   : "";
   std::vector<Symbol> order{{"mu0"}, {"omega"}, {"du_z"}, {"m"}, {"m_n"}};
   if (isotropic != nullptr) order.push_back(isotropic->quantity.symbol);
-  for (const auto& [symbol, value] : problem->elements) order.push_back(symbol);
+  for (const Symbol& symbol : *problem->elements) order.push_back(symbol);
   const std::map<Symbol, Meaning> meanings = meanings_of(problem);
   using Domain = TakenParameter::Domain;
   std::vector<TakenParameter> result;

@@ -26,7 +26,7 @@ bool has_force(NumberRole role) {
 }
 
 bool has_all_values(const Problem& problem) {
-  for (const auto& [symbol, value] : problem->elements)
+  for (const auto& [symbol, value] : elements_with_values(problem))
     if (!value) return false;
   const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
   if (isotropic != nullptr && !isotropic->quantity.value) return false;
@@ -63,7 +63,7 @@ std::map<Symbol, double> example_values(const Problem& problem) {
   const auto add = [&](const Symbol& symbol, double otherwise) {
     values.try_emplace(symbol, otherwise * (1 + count++ / 8.0));
   };
-  for (const auto& [symbol, value] : problem->elements)
+  for (const auto& [symbol, value] : elements_with_values(problem))
     if (value) values[symbol] = *value;
   const auto element = [&](const Element& e) {
     for_each_number(

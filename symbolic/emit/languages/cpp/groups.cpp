@@ -62,7 +62,7 @@ class GroupWriter {
     if (problem->mass) symbols_["m"] = problem->mass->symbol;
     if (problem->mount_mass)
       symbols_[to_text(problem->mount_mass->symbol)] = problem->mount_mass->symbol;
-    for (const auto& [symbol, number] : problem->elements) symbols_[to_text(symbol)] = symbol;
+    for (const Symbol& symbol : *problem->elements) symbols_[to_text(symbol)] = symbol;
   }
 
   std::vector<Group> write() {

@@ -43,7 +43,7 @@ std::vector<Symbol> symbols(const Problem& problem) {
   if (problem->mount_mass &&
       std::find(all.begin(), all.end(), problem->mount_mass->symbol) == all.end())
     all.push_back(problem->mount_mass->symbol);
-  for (const auto& [symbol, value] : problem->elements) all.push_back(symbol);
+  for (const Symbol& symbol : *problem->elements) all.push_back(symbol);
   return all;
 }
 
