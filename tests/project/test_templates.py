@@ -18,7 +18,7 @@ def templates(root, folder):
 
 
 def code_of(root, folder):
-    return "".join(file.read_text() for file in sorted((root / folder).glob("*.cpp")))
+    return "".join(file.read_text() for file in sorted((root / folder).glob("*.[ch]pp")))
 
 
 def keys(text):

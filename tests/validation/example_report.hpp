@@ -11,13 +11,14 @@
 
 namespace vcrit::validation::example {
 
+inline const test::SceneText rigid_contact{.tangential = "kt",
+                                           .angular_frequency = 125664,
+                                           .amplitude = 1e-7,
+                                           .indentation = 3e-7,
+                                           .coefficient = 0.3,
+                                           .elements = {{"kn", 11.5e6}, {"kt", 9.47e6}}};
 inline const std::string rigid_scene =
-    "title = \"Elastic contact\"\n" + test::to_toml({.tangential = "kt",
-                                                     .angular_frequency = 125664,
-                                                     .amplitude = 1e-7,
-                                                     .indentation = 3e-7,
-                                                     .coefficient = 0.3,
-                                                     .elements = {{"kn", 11.5e6}, {"kt", 9.47e6}}});
+    "title = \"Elastic contact\"\n" + test::to_toml(rigid_contact);
 
 inline const std::string driven_scene =
     "title = \"Everything there is\"\n" + test::to_toml({.normal = "bridge",

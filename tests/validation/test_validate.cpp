@@ -186,9 +186,9 @@ BOOST_AUTO_TEST_CASE(creep_is_compared_where_the_path_creeps) {
 BOOST_AUTO_TEST_CASE(wrong_input_leaves_nothing_behind) {
   const PrivateFolder folder;
   const fs::path out = folder.path() / "out", scene = folder.path() / "scene.toml";
-  std::string text = example::rigid_scene;
-  text.replace(text.find("kn = 11.5e6"), 11, "kn = -1");
-  write_file(scene, text);
+  test::SceneText wrong = example::rigid_contact;
+  wrong.elements.front() = {"kn", -1};
+  write_file(scene, test::to_toml(wrong));
   BOOST_CHECK_THROW(run({scenes + "/elastic.toml", scene.string()}, out), InputError);
   BOOST_TEST(!fs::exists(out));
 }
@@ -196,9 +196,9 @@ BOOST_AUTO_TEST_CASE(wrong_input_leaves_nothing_behind) {
 BOOST_AUTO_TEST_CASE(missing_values_are_told_before_anything_is_computed) {
   const PrivateFolder folder;
   const fs::path out = folder.path() / "out", scene = folder.path() / "scene.toml";
-  std::string text = example::rigid_scene;
-  text.erase(text.find("kt = 9"));
-  write_file(scene, text);
+  test::SceneText incomplete = example::rigid_contact;
+  incomplete.elements.pop_back();
+  write_file(scene, test::to_toml(incomplete));
   bool began = false;
   BOOST_CHECK_THROW(report::validate({{scenes + "/elastic.toml", scene.string()}, out, {}},
                                      [&](const Standing&) { began = true; }),
