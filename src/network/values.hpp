@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <initializer_list>
 #include <iterator>
@@ -134,6 +135,8 @@ class BySymbol {
       symbols_ = std::make_shared<SymbolList>();
     else if (symbols_.use_count() > 1)
       symbols_ = std::make_shared<SymbolList>(*symbols_);
+    else
+      std::atomic_thread_fence(std::memory_order_acquire);  // others of another thread have read it
     const std::size_t added = symbols_->insert(symbol);
     numbers_.emplace(numbers_.begin() + static_cast<std::ptrdiff_t>(added));
     return added;

@@ -8,6 +8,8 @@
 #include <string_view>
 
 #include "base/constants.hpp"
+#include "problem/parts.hpp"
+#include "problem/placing.hpp"
 #include "scene/members.hpp"
 #include "scene/range.hpp"
 #include "scene/scene.hpp"
@@ -15,26 +17,6 @@
 namespace vcrit {
 
 namespace {
-
-// What moves with the contact along the normal may be the body, which also moves along the surface.
-bool shares_mass(const Givens& parts) {
-  return parts.mass && parts.mount_mass && parts.mass->symbol == parts.mount_mass->symbol;
-}
-
-/// use(quantity) for each that has a name of its own.
-template <class AnyParts, class Use>
-void for_each_quantity(AnyParts& parts, const Use& use) {
-  auto* isotropic = std::get_if<Isotropic>(&parts.tangential);
-  if (isotropic != nullptr && !isotropic->quantity.symbol.name.empty()) use(isotropic->quantity);
-  use(parts.coefficient);
-  use(parts.angular_frequency);
-  use(parts.amplitude);
-  use(parts.load ? *parts.load : parts.indentation);
-  if (parts.mass) use(*parts.mass);
-  if (parts.mount_mass && !shares_mass(parts)) use(*parts.mount_mass);
-  if (parts.indenter)
-    for (auto& size : parts.indenter->sizes) use(size);
-}
 
 Symbol called(const std::map<std::string, std::string>& names, const Symbol& symbol) {
   const auto name = names.find(symbol.name);
@@ -75,103 +57,6 @@ const Range& range_of(const Resolved& parts, const Quantity& quantity) {
     return isotropic->by == Isotropic::By::poisson ? poisson_range : positive;
   return nonnegative;
 }
-
-/// Its networks: normal, tangential, drive, mount.
-template <class Use>
-void for_each_network(const Resolved& parts, const Use& use) {
-  use(parts.normal.network());
-  if (const auto* own = std::get_if<ReducedNetwork>(&parts.tangential)) use(own->network());
-  if (const auto* drive = parts.drive_network()) use(drive->network());
-  if (parts.mount) use(parts.mount->network());
-}
-
-std::vector<Amount> expressions_of(const Resolved& parts) {
-  std::vector<Amount> all;
-  for_each_network(parts, [&all](const Network& network) {
-    for_each_element(network, [&all](const Element& element) {
-      for (const Amount* amount : {&element.coefficient, &element.second, &element.rest})
-        if (!amount->is_symbol()) all.push_back(*amount);
-    });
-  });
-  return all;
-}
-
-/// All symbols of a scene, also those without a number; of its elements the numbers.
-Values element_numbers(const Scene& scene) {
-  std::vector<Symbol> all{scene.indentation.symbol};
-  for (const auto& [symbol, value] : scene.elements) all.push_back(symbol);
-  for_each_quantity(scene, [&all](const Quantity& quantity) { all.push_back(quantity.symbol); });
-  for (const auto& [symbol, number] : scene.typed)
-    if (symbol != frequency_symbol) all.push_back(symbol);
-  Values numbers{SymbolList(std::move(all))};
-  for (const auto& [symbol, value] : scene.elements)
-    if (value) numbers[symbol] = *value;
-  return numbers;
-}
-
-/// A scene as parts whose symbols have their places among the numbers.
-class Placing {
- public:
-  explicit Placing(const Values& numbers) : numbers_(numbers) {}
-
-  Resolved parts_of(const Scene& scene) const {
-    Resolved parts{scene,
-                   reduced(scene.normal),
-                   tangential_of(scene),
-                   drive_of(scene),
-                   elements_of(scene),
-                   typed_of(scene),
-                   {},
-                   std::make_shared<const Source>(scene),
-                   {},
-                   {}};
-    if (scene.mount) parts.mount = reduced(*scene.mount);
-    if (const auto typed = scene.typed.find(frequency_symbol); typed != scene.typed.end())
-      parts.frequency = typed->second;
-    parts.expressions = expressions_of(parts);
-    place(parts.indentation.symbol);
-    if (parts.mount_mass) place(parts.mount_mass->symbol);
-    for_each_quantity(parts, [this](Quantity& quantity) { place(quantity.symbol); });
-    for (MeasuredStiffness& measured : parts.measured)
-      for (Symbol* symbol : {&measured.storage, &measured.loss_factor, &measured.rest})
-        place(*symbol);
-    return parts;
-  }
-
- private:
-  void place(Symbol& symbol) const { symbol = numbers_.placed(symbol); }
-
-  ReducedNetwork reduced(Network network) const {
-    rename(network, [this](const Symbol& symbol) { return numbers_.placed(symbol); });
-    return ReducedNetwork(std::move(network));
-  }
-
-  std::variant<Rigid, ReducedNetwork, Receptance> drive_of(const Scene& scene) const {
-    if (scene.receptance) return *scene.receptance;
-    if (scene.drive) return reduced(*scene.drive);
-    return Rigid{};
-  }
-
-  std::variant<Isotropic, ReducedNetwork> tangential_of(const Scene& scene) const {
-    if (const auto* own = std::get_if<Network>(&scene.tangential)) return reduced(*own);
-    return std::get<Isotropic>(scene.tangential);
-  }
-
-  std::shared_ptr<const std::vector<Symbol>> elements_of(const Scene& scene) const {
-    auto elements = std::make_shared<std::vector<Symbol>>();
-    for (const auto& [symbol, value] : scene.elements) elements->push_back(numbers_.placed(symbol));
-    return elements;
-  }
-
-  std::shared_ptr<const BySymbol<TypedNumber>> typed_of(const Scene& scene) const {
-    auto typed = std::make_shared<BySymbol<TypedNumber>>(BySymbol<TypedNumber>::beside(numbers_));
-    for (const auto& [symbol, number] : scene.typed)
-      if (symbol != frequency_symbol) typed->emplace(symbol, number);
-    return typed;
-  }
-
-  const Values& numbers_;
-};
 
 }  // namespace
 
@@ -302,7 +187,7 @@ Problem::Problem(Resolved resolved, const Values& numbers)
 
 Problem::Problem(const Scene& scene) {
   const Values numbers = element_numbers(scene);
-  checked_ = std::make_shared<const Checked>(Placing(numbers).parts_of(scene), numbers);
+  checked_ = std::make_shared<const Checked>(placed_parts(scene, numbers), numbers);
   Values elements = Values::beside(numbers);
   for (const auto& [symbol, value] : elements_with_values(*this))
     if (value) elements[symbol] = *value;
