@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "base/commit.hpp"
 #include "base/numbers.hpp"
 #include "maps/csv_map.hpp"
 #ifdef VCRIT_WITH_NETCDF
@@ -16,10 +17,6 @@
 namespace vcrit::maps {
 
 namespace {
-
-constexpr const char* commit =
-#include VCRIT_COMMIT_FILE
-    ;
 
 // FNV-1a over the bits of the numbers.
 std::uint64_t fingerprint(const std::vector<double>& values) {
@@ -36,7 +33,7 @@ std::uint64_t fingerprint(const std::vector<double>& values) {
 }  // namespace
 
 std::string signature(const Sweep& sweep) {
-  std::string text = fmt::format("vcrit {} (commit {})\n", VCRIT_VERSION, commit);
+  std::string text = fmt::format("vcrit {} (commit {})\n", VCRIT_VERSION, commit());
   for (const auto& [name, value] : sweep.problem->source->settings)
     text += fmt::format("set {}={}\n", name, value);
   for (const Axis& axis : sweep.axes)

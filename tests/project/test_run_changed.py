@@ -107,6 +107,31 @@ class RunChanged(unittest.TestCase):
         self.write("data", "fine, too")
         self.assertEqual(self.suite()[0], ["one", "two"])
 
+    def test_a_program_of_another_commit_is_the_same(self):
+        def program(commit, hashed, code):
+            note = b"\4\0\0\0" + bytes([len(hashed), 0, 0, 0]) + b"\3\0\0\0GNU\0" + hashed
+            self.write("build/program", "").write_bytes(b"\x7fELF" + note + b"vcrit's commit: " + commit.ljust(13) + b"\0" + code)
+        program(b"0123456789ab", b"12345678", b"code")
+        self.entries["room/two"] = f'{self.script("two", ":")}" "{self.build}/program'
+        self.suite()
+        for commit, hashed, code, started in ((b"0123456789ab+", b"87654321", b"code", []), (b"unknown", b"abcdefgh", b"code", []),
+                                              (b"unknown", b"abcdefgh", b"bode", ["two"]), (b"unknown", b"a" * 20, b"bode", ["two"]),
+                                              (b"unknown", b"\n" * 20, b"bode", [])):
+            program(commit, hashed, code)
+            self.assertEqual(self.suite()[0], started, (commit, hashed, code))
+
+    def test_the_commit_may_be_another(self):
+        self.write("build/commit.cpp", "one")
+        self.entries["room/two"] = f'{self.script("two", ":")}" "{self.build}'
+        self.suite()
+        self.write("build/commit.cpp", "two")
+        self.assertEqual(self.suite()[0], [])
+
+    def test_a_compiler_is_another_environment_but_not_its_cache(self):
+        self.suite()
+        self.assertEqual(self.suite(CCACHE_DISABLE="1")[0], [])
+        self.assertEqual(self.suite(CXX="other")[0], ["one", "two"])
+
     def test_what_changes_meanwhile_has_not_passed(self):
         self.script("two", f"echo fine >> {self.folder}/data")
         self.suite()

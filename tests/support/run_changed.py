@@ -3,7 +3,7 @@
     run_changed.py BUILD [--all] [WORD...]     in the project's folder; --all and named entries run in any case
 
 What an entry depends on is hashed: its command and environment, the files and folders that these name, those whose
-paths are in the programs among them, the machine, its packages and tools; of scripts also each file of the project
+paths are in the programs among them (of programs not the commit that they are made of), the machine, its packages and tools; of scripts also each file of the project
 that is no C++, of whatever is given the project's or the build's folder each file there. An entry that has passed is
 kept under its hash (BUILD/passed.json) and left out as long as the hash stays. Without git all entries run.
 """
@@ -26,8 +26,11 @@ PASSED, OUTCOMES = BUILD / "passed.json", BUILD / "Testing/outcomes.xml"
 ALL_READ = ("scenes", "symbolic/emit/languages", "tests/data", "tests/languages", "tests/support", "bench")
 READ_SOURCES = ("consumer", "examples", "mutation", "project")  # rooms whose scripts do
 # In the build: what tests, ninja and ctest themselves write, and what is linked into something else.
-WRITTEN = re.compile(r"(Testing|compilers|mypy_cache|same_bytes|CMakeFiles)/|\.ninja_|passed\.json|install_manifest")
-VARIABLES = re.compile(r"PATH|HOME|TMPDIR|TZ|LANG|LC_|LD_|PYTHON|VCRIT|CC|CXX|C\w*FLAGS|CPATH|C\w*_PATH|LIBRARY_PATH|OMP|"
+WRITTEN = re.compile(r"(Testing|compilers|mypy_cache|same_bytes|CMakeFiles)/|\.ninja_|passed\.json|install_manifest|commit\.cpp")
+# In programs: the commit that they are made of, which tells nothing of what they do, and the linker's hash of all bytes.
+STAMPS = re.compile(rb"(?<=vcrit's commit: ).{13}|"
+                    rb"(?<=\x08\0\0\0\x03\0\0\0GNU\0).{8}|(?<=\x14\0\0\0\x03\0\0\0GNU\0).{20}", re.DOTALL)
+VARIABLES = re.compile(r"PATH|HOME|TMPDIR|TZ|LANG|LC_|LD_|PYTHON|VCRIT|(CC|CXX)$|C\w*FLAGS|CPATH|C\w*_PATH|LIBRARY_PATH|OMP|"
                        r"GLIBC|MALLOC|\w*SAN_OPTIONS|SOURCE_DATE|SE_")
 TOOLS = ("g++", "gcc", "clang++", "clang", "ld", "nvcc", "rustc", "node", "python3", "cmake", "ctest", "chromium", "mpirun")
 
@@ -43,9 +46,17 @@ def tracked():
 FILES = sorted(tracked())
 
 
+def is_program(file, text):
+    """One that was built."""
+    return BUILD in file.parents and text.startswith(b"\x7fELF")
+
+
 @functools.cache
 def digest(file):
-    return hashlib.sha256(file.read_bytes()).hexdigest() if file.is_file() else "no file"
+    if not file.is_file():
+        return "no file"
+    text = file.read_bytes()
+    return hashlib.sha256(STAMPS.sub(b"", text) if is_program(file, text) else text).hexdigest()
 
 
 @functools.cache
@@ -71,8 +82,8 @@ def named_in(text):
 @functools.cache
 def named_by(file):
     """The same, if the file is a program that was built."""
-    text = file.read_bytes() if BUILD in file.parents and file.is_file() else b""
-    return named_in(text) if text.startswith(b"\x7fELF") else set()
+    text = file.read_bytes() if file.is_file() else b""
+    return named_in(text) if is_program(file, text) else set()
 
 
 def inputs(entry, stated):

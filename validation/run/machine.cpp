@@ -15,13 +15,11 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "base/commit.hpp"
+
 namespace vcrit::validation {
 
 namespace {
-
-constexpr const char* commit =
-#include VCRIT_COMMIT_FILE
-    ;
 
 /// What follows `key`, the separator and blanks or quotes on the first line that begins with it.
 std::string entry(const char* file, const std::string& key, char separator) {
@@ -75,7 +73,7 @@ Machine this_machine() {
           std::thread::hardware_concurrency(),
           system_name(),
           VCRIT_VERSION,
-          commit,
+          commit(),
           VCRIT_FLAGS,
           versions()};
 }
