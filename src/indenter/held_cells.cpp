@@ -104,20 +104,17 @@ void HeldCells::place_cells(const HalfSpace& half_space, const MemoryCells& cell
   bound_ = bounds_.sum();
 }
 
-/// Of all cells after a way of theirs, and its slope.
+/// Of all cells after a way of theirs, and its slope. Which cells slide changes from cell to cell: a
+/// choice of numbers is quicker than a jump that is guessed wrongly.
 double HeldCells::pulled(const Eigen::ArrayXd& relaxed, Eigen::Index step, double way,
                          double& slope) const {
-  const auto bound = bounds_.col(step).array();
+  const double* bounds = bounds_.col(step).data();
   slope = 0;
   double sum = 0;
   for (Eigen::Index i = 0; i < count_; ++i) {
-    const double force = relaxed(i) + glassy_(i) * way;
-    if (std::abs(force) < bound(i)) {
-      sum += force;
-      slope += glassy_(i);
-    } else {
-      sum += force > 0 ? bound(i) : -bound(i);
-    }
+    const double force = relaxed(i) + glassy_(i) * way, bound = bounds[i];
+    sum += std::min(std::max(force, -bound), bound);
+    slope += std::abs(force) < bound ? glassy_(i) : 0.0;
   }
   return sum;
 }
@@ -128,7 +125,7 @@ HeldCells::Period HeldCells::period(StateVector& state, double velocity, Effort&
   Period result;
   const Eigen::Index spring = holder_.mass > 0 ? 1 : 0;
   Eigen::Map<Eigen::ArrayXXd> forces(state.data() + body_, count_, branches_);
-  Eigen::ArrayXd relaxed(count_);
+  Eigen::ArrayXd relaxed(count_), ways(count_);
   const double driven = velocity * step_;
   double friction = forces.sum();
   for (Eigen::Index n = 0; n < steps_; ++n) {
@@ -156,16 +153,17 @@ HeldCells::Period HeldCells::period(StateVector& state, double velocity, Effort&
       force = held_left_[j] * force + held_gained_[j] * d;
     }
     friction = 0;
+    const double* bounds = bounds_.col(n).data();
     for (Eigen::Index i = 0; i < count_; ++i) {
-      const double bound = bounds_(i, n), wanted = relaxed(i) + glassy_(i) * (driven - d);
-      const double force = std::clamp(wanted, -bound, bound);
+      const double bound = bounds[i], wanted = relaxed(i) + glassy_(i) * (driven - d);
+      const double force = std::min(std::max(wanted, -bound), bound);
       if (wanted < -bound * (1 + at_bound) && bound > at_bound * weights_(i))
         result.backslip = true;
-      const double way = (force - relaxed(i)) / glassy_(i);
-      for (Eigen::Index j = 0; j < branches_; ++j)
-        forces(i, j) = left_(j) * forces(i, j) + gained_(j) * weights_(i) * way;
+      ways(i) = (force - relaxed(i)) / glassy_(i);
       friction += force;
     }
+    for (Eigen::Index j = 0; j < branches_; ++j)
+      forces.col(j) = left_(j) * forces.col(j) + gained_(j) * weights_ * ways;
     result.friction += friction;
   }
   return result;
