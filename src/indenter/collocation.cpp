@@ -19,7 +19,7 @@ namespace vcrit::indenter {
 
 namespace {
 
-constexpr int nodes_of_step = 7;
+constexpr int nodes_of_step = TimeStep::nodes;
 using Square = Eigen::Matrix<double, nodes_of_step, nodes_of_step>;
 using Complex = std::complex<double>;
 

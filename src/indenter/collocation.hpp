@@ -16,6 +16,8 @@ using Rates = std::function<void(double t, const StateVector& x, StateVector& ra
 /// One step, from t = begin to begin + length.
 class TimeStep {
  public:
+  static constexpr int nodes = 7;  ///< at which rates are asked
+
   double begin() const { return begin_; }
   double end() const { return end_; }
   /// From there on the motion is another one.

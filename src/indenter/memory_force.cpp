@@ -252,7 +252,7 @@ bool MemoryForce::touches(double t) const {
   return closed_edge_ > 0 || wrapped(t) >= openings_.front().touch.at(0, 0);
 }
 
-double MemoryForce::interpolated(double given, Eigen::Index which) const {
+MemoryForce::Sum MemoryForce::at(double given) const {
   const double t = wrapped(given);
   const auto after =
       std::upper_bound(phases_.begin(), phases_.end() - 1, t,
@@ -260,7 +260,8 @@ double MemoryForce::interpolated(double given, Eigen::Index which) const {
   const double share = std::clamp((t - after->begin) / (after->end - after->begin), 0.0, 1.0);
   // The root of s^2 (3 - 2 s) = share.
   const double s = 0.5 - std::sin(std::asin(1 - 2 * share) / 3);
-  return after->values.at(s, which);
+  const auto [force, rate] = after->values.several_at<2>(s, 0);
+  return {force, rate};
 }
 
 }  // namespace vcrit::indenter

@@ -68,8 +68,10 @@ class MemoryForce {
   /// cell is found.
   MemoryForce(const HalfSpace& half_space, double tolerance);
 
-  double force(double t) const { return interpolated(t, 0); }  ///< N
-  double rate(double t) const { return interpolated(t, 1); }   ///< N, by omega t
+  struct Sum {
+    double force = 0, rate = 0;  ///< N, the rate by omega t
+  };
+  Sum at(double t) const;
   bool touches(double t) const;
   /// Phases in [0, 2 pi] at which the force turns sharply.
   const std::vector<double>& kinks() const { return kinks_; }
@@ -80,9 +82,6 @@ class MemoryForce {
   struct Opening {
     Panel panel;
     Pieces touch;  ///< by s: begin, end, decays
-  };
-  struct Sum {
-    double force = 0, rate = 0;
   };
   struct Phases {
     double begin = 0, end = 0;
@@ -97,7 +96,6 @@ class MemoryForce {
   void add_span(const Opening& part, double t, double low, double high, Sum& sum) const;
   Sum summed(double t) const;
   double wrapped(double t) const;
-  double interpolated(double t, Eigen::Index which) const;
 
   MemoryCells cells_;
   double closed_edge_ = 0, closed_mean_ = 0;

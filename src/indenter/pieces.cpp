@@ -73,22 +73,15 @@ std::size_t Pieces::piece_of(double s) const {
 }
 
 void Pieces::at(double s, Eigen::VectorXd& values) const {
-  values.resize(coefficients_.front().cols());
-  for (Eigen::Index i = 0; i < values.size(); ++i) values(i) = at(s, i);
-}
-
-// Clenshaw's recurrence.
-double Pieces::at(double s, Eigen::Index i) const {
-  const std::size_t piece = piece_of(s);
-  const Eigen::MatrixXd& c = coefficients_[piece];
-  const double x = 2 * (s - ends_[piece]) / (ends_[piece + 1] - ends_[piece]) - 1;
-  double one = 0, two = 0;
-  for (Eigen::Index k = c.rows() - 1; k > 0; --k) {
-    const double next = 2 * x * one - two + c(k, i);
-    two = one;
-    one = next;
-  }
-  return x * one - two + c(0, i);
+  const Eigen::Index count = coefficients_.front().cols();
+  values.resize(count);
+  Eigen::Index i = 0;
+  const auto put = [&](const auto& found) {
+    for (const double each : found) values(i++) = each;
+  };
+  while (count - i >= 4) put(several_at<4>(s, i));
+  if (count - i >= 2) put(several_at<2>(s, i));
+  if (count > i) put(several_at<1>(s, i));
 }
 
 // T_k' = k U_(k-1).

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -19,7 +21,10 @@ class Pieces {
 
   /// All of them, s in [0, 1].
   void at(double s, Eigen::VectorXd& values) const;
-  double at(double s, Eigen::Index i) const;
+  double at(double s, Eigen::Index i) const { return several_at<1>(s, i)[0]; }
+  /// Those from `first` on. Side by side they take little longer than one, which waits for itself.
+  template <std::size_t count>
+  std::array<double, count> several_at(double s, Eigen::Index first) const;
   double slope(double s, Eigen::Index i) const;
 
   /// Where pieces begin, and 1.
@@ -31,5 +36,25 @@ class Pieces {
   std::vector<double> ends_;
   std::vector<Eigen::MatrixXd> coefficients_;  ///< a column a function
 };
+
+// Clenshaw's recurrence.
+template <std::size_t count>
+std::array<double, count> Pieces::several_at(double s, Eigen::Index first) const {
+  const std::size_t piece = piece_of(s);
+  const Eigen::MatrixXd& all = coefficients_[piece];
+  const Eigen::Index rows = all.rows();
+  const double* c = all.data() + first * rows;
+  const double x = 2 * (s - ends_[piece]) / (ends_[piece + 1] - ends_[piece]) - 1;
+  std::array<double, count> one{}, two{};
+  for (Eigen::Index k = rows - 1; k > 0; --k)
+    for (std::size_t j = 0; j < count; ++j) {
+      const double next = 2 * x * one[j] - two[j] + c[static_cast<Eigen::Index>(j) * rows + k];
+      two[j] = one[j];
+      one[j] = next;
+    }
+  for (std::size_t j = 0; j < count; ++j)
+    one[j] = x * one[j] - two[j] + c[static_cast<Eigen::Index>(j) * rows];
+  return one;
+}
 
 }  // namespace vcrit::indenter

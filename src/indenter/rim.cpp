@@ -39,9 +39,13 @@ double ScaledContact::depth(double t) const { return mean_ + std::cos(t); }
 
 double ScaledContact::depth_rate(double t) const { return -std::sin(t); }
 
+/// Of cells up to there.
+double ScaledContact::stiffness_of(double edge) const {
+  return 2 * modulus_ * amplitude_ / force_unit_ * edge;
+}
+
 double ScaledContact::stiffness(double depth) const {
-  if (!(depth >= 0)) return 0;
-  return 2 * modulus_ * amplitude_ / force_unit_ * gap_.half_width(depth * amplitude_);
+  return depth >= 0 ? stiffness_of(gap_.half_width(depth * amplitude_)) : 0;
 }
 
 double ScaledContact::physical_force(double depth) const {
@@ -50,14 +54,23 @@ double ScaledContact::physical_force(double depth) const {
   return 2 * modulus_ * (depth * edge - gap_.area(edge));
 }
 
-double ScaledContact::force(double t) const {
-  if (memory_) return memory_->force(t) / force_unit_;
-  return physical_force(depth(t) * amplitude_) / force_unit_;
-}
-
-double ScaledContact::force_rate(double t) const {
-  if (memory_) return memory_->rate(t) / force_unit_;
-  return stiffness(depth(t)) * depth_rate(t);
+ScaledContact::Moment ScaledContact::at(double t) const {
+  Moment now{t, depth(t), depth_rate(t), 0, 0, 0};
+  double edge = 0;
+  if (now.depth >= 0) {
+    edge = gap_.half_width(now.depth * amplitude_);
+    now.stiffness = stiffness_of(edge);
+  }
+  if (memory_) {
+    const MemoryForce::Sum found = memory_->at(t);
+    now.force = found.force / force_unit_;
+    now.force_rate = found.rate / force_unit_;
+    return now;
+  }
+  if (const double deep = now.depth * amplitude_; deep > 0)
+    now.force = 2 * modulus_ * (deep * edge - gap_.area(edge)) / force_unit_;
+  now.force_rate = now.stiffness * now.depth_rate;
+  return now;
 }
 
 bool ScaledContact::touches(double t) const {

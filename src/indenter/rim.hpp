@@ -29,8 +29,14 @@ class ScaledContact {
   double depth_rate(double t) const;
   /// Stiffness of all cells that touch at this depth or less, of an elastic half-space.
   double stiffness(double depth) const;
-  double force(double t) const;       ///< F_n
-  double force_rate(double t) const;  ///< as far as it is bounded
+  /// All of it at a time.
+  struct Moment {
+    double t, depth, depth_rate;
+    double stiffness;   ///< of all cells that touch
+    double force;       ///< F_n
+    double force_rate;  ///< as far as it is bounded
+  };
+  Moment at(double t) const;
   /// Whether F_n' is not: then only a body or a damper keeps v* finite.
   bool force_rate_unbounded() const { return memory_ && memory_->rate_unbounded(); }
   bool touches(double t) const;
@@ -43,6 +49,7 @@ class ScaledContact {
   double stiffness_unit() const { return stiffness_unit_; }
 
  private:
+  double stiffness_of(double edge) const;
   double physical_force(double depth) const;
 
   Gap gap_;

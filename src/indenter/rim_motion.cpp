@@ -40,6 +40,7 @@ RimMotion::RimMotion(const ScaledContact& contact, const ScaledHolder& holder, d
   place_ = body_;
   lack_ = body_ + 1;
   impulse_ = body_ + 2;
+  moments_.fill({-infinity, 0, 0, 0, 0, 0});
 }
 
 Eigen::VectorXd RimMotion::energy_weights() const {
@@ -56,10 +57,6 @@ int RimMotion::direction() const {
   return mode_ == RimMode::backward ? -1 : 0;
 }
 
-double RimMotion::level(double t, double place, int d) const {
-  return place - d * contact_.depth(t);
-}
-
 // l_d of what a layer remembers at a depth: l_- = l_+ + 2 g.
 double RimMotion::level_of(const Layer& layer, double depth, double touched, int d) const {
   if (layer.frozen != 0) return layer.level + (layer.frozen - d) * depth;
@@ -73,7 +70,7 @@ RimMotion::TouchedLevel RimMotion::touched_level(double touched, int d) const {
       std::partition_point(history_.begin(), history_.end() - 1,
                            [touched](const TimeStep& each) { return each.end() < touched; });
   const auto [place, speed] = step->with_rate(touched, place_);
-  return {level(touched, place, d), speed - d * contact_.depth_rate(touched)};
+  return {place - d * contact_.depth(touched), speed - d * contact_.depth_rate(touched)};
 }
 
 double RimMotion::inner_level(const Layer& layer, int d) const {
@@ -102,16 +99,16 @@ double RimMotion::touched_when(const Layer& layer, double wanted, int d) const {
 }
 
 /// The depth up to which cells stick; below 0 if none does.
-double RimMotion::stuck_to(double t, double place) const {
-  if (mode_ == RimMode::stick) return contact_.depth(t);
+double RimMotion::stuck_to(const Moment& now, double place) const {
+  if (mode_ == RimMode::stick) return now.depth;
   if (layers_.empty()) return -1;
   const int d = direction();
   const Layer& top = layers_.back();
-  const double here = level(t, place, d);
+  const double here = level(now, place, d);
   if (top.frozen == 0) {
-    if (touched_.t != t || touched_.place != place) {
+    if (touched_.t != now.t || touched_.place != place) {
       const double when = touched_when(top, here, d);
-      touched_ = {t, place, contact_.depth(when), when};
+      touched_ = {now.t, place, contact_.depth(when), when};
     }
     return touched_.depth;
   }
@@ -120,9 +117,10 @@ double RimMotion::stuck_to(double t, double place) const {
 }
 
 /// The stiffness of the cells that stick.
-double RimMotion::sticking(double t, const StateVector& state) const {
+double RimMotion::sticking(const Moment& now, const StateVector& state) const {
   if (mode_ == RimMode::apart) return 0;
-  return contact_.stiffness(std::min(stuck_to(t, state(place_)), contact_.depth(t)));
+  const double depth = stuck_to(now, state(place_));
+  return depth < now.depth ? contact_.stiffness(depth) : now.stiffness;
 }
 
 /// Of the springs.
@@ -131,25 +129,31 @@ double RimMotion::holding_force(const StateVector& state) const {
 }
 
 /// By how much the body is slower than the drive: small, where the drive is stiff.
-double RimMotion::behind(double t, const StateVector& state) const {
+double RimMotion::behind(const Moment& now, const StateVector& state, double stuck) const {
   if (holder_.mass > 0) return state(0);
-  const double friction = contact_.force(t) - state(lack_);
+  const double friction = now.force - state(lack_);
   if (holder_.damper > 0) return (friction - holding_force(state)) / holder_.damper;
   double relaxing = 0;
   for (std::size_t j = 0; j < holder_.branches.size(); ++j)
     relaxing += state(branches_ + static_cast<Eigen::Index>(j)) / holder_.branches[j].time;
-  const double stuck = sticking(t, state);
   const double slides =
-      always_slides_
-          ? contact_.force_rate(t)
-          : direction() * (contact_.stiffness(contact_.depth(t)) - stuck) * contact_.depth_rate(t);
+      always_slides_ ? now.force_rate : direction() * (now.stiffness - stuck) * now.depth_rate;
   return (stuck * velocity_ + slides + relaxing) / (holder_.glassy() + stuck);
 }
 
-void RimMotion::rates(double t, const StateVector& state, StateVector& out) const {
+const RimMotion::Moment& RimMotion::moment(double t) {
+  for (const Moment& each : moments_)
+    if (each.t == t) return each;
+  Moment& found = moments_[oldest_];
+  oldest_ = (oldest_ + 1) % moments_.size();
+  return found = contact_.at(t);
+}
+
+void RimMotion::rates(double t, const StateVector& state, StateVector& out) {
   out.resize(state.size());
-  const double pulled = behind(t, state), v = velocity_ - pulled;
-  const double friction = contact_.force(t) - state(lack_);
+  const Moment& now = moment(t);
+  const double stuck = sticking(now, state), pulled = behind(now, state, stuck);
+  const double v = velocity_ - pulled, friction = now.force - state(lack_);
   if (holder_.mass > 0)
     out(0) = (friction - holding_force(state) - holder_.damper * pulled) / holder_.mass;
   if (holder_.spring > 0) out(spring_) = holder_.spring * pulled;
@@ -159,8 +163,7 @@ void RimMotion::rates(double t, const StateVector& state, StateVector& out) cons
     out(i) = stiffness * pulled - state(i) / time;
   }
   if (first_given()) out(spring_) = 0;
-  const double all = contact_.stiffness(contact_.depth(t)), rate = contact_.depth_rate(t);
-  const double stuck = sticking(t, state);
+  const double all = now.stiffness, rate = now.depth_rate;
   out(place_) = v;
   // Of F_n and F; 0 where all slide forward, but for rounding.
   out(lack_) = mode_ == RimMode::forward
@@ -184,15 +187,16 @@ void RimMotion::start(double t, const StateVector& body) {
 /// level is from where the layer that slides next is used up; and while the indentation falls, the
 /// rim that is left.
 std::vector<double> RimMotion::margins(double t, const StateVector& state) const {
-  const double v = speed(t, state), rate = contact_.depth_rate(t);
   if (mode_ == RimMode::apart || always_slides_) return {};
+  const Moment now = contact_.at(t);
+  const double v = speed(now, state), rate = now.depth_rate;
   if (mode_ == RimMode::stick) return {rate - v, rate + v};
   const int d = direction();
   const double slides = d * v - rate;
   if (layers_.empty()) return {slides};
-  const double left = d * (inner_level(layers_.back(), d) - level(t, state(place_), d));
+  const double left = d * (inner_level(layers_.back(), d) - level(now, state(place_), d));
   if (rate >= 0) return {slides, left};
-  return {slides, left, contact_.depth(t) - stuck_to(t, state(place_))};
+  return {slides, left, now.depth - stuck_to(now, state(place_))};
 }
 
 double RimMotion::least_margin(double t, const StateVector& state) const {
@@ -202,6 +206,7 @@ double RimMotion::least_margin(double t, const StateVector& state) const {
 
 /// The first event within a step, if there is one.
 bool RimMotion::ends_in(const TimeStep& step, double& at) const {
+  if (mode_ == RimMode::apart || always_slides_) return false;
   double before = step.begin();
   for (int i = 1; i <= asked_of_step; ++i) {
     double t = step.begin() + (step.end() - step.begin()) * i / asked_of_step;
@@ -235,8 +240,9 @@ void RimMotion::clear_no_longer() {
 void RimMotion::cut_layer(int d) {
   if (layers_.empty()) return;
   Layer& top = layers_.back();
-  top.to = stuck_to(t_, state_(place_));
-  if (top.frozen == 0) top.touched_end = touched_when(top, level(t_, state_(place_), d), d);
+  const Moment now = contact_.at(t_);
+  top.to = stuck_to(now, state_(place_));
+  if (top.frozen == 0) top.touched_end = touched_when(top, level(now, state_(place_), d), d);
 }
 
 void RimMotion::go_on(RimMode mode) {
@@ -252,9 +258,10 @@ void RimMotion::go_on(RimMode mode) {
 /// while it falls the rim slides in one or the other.
 void RimMotion::change() {
   const std::vector<double> margin = margins(t_, state_);
-  const double v = speed(t_, state_), rate = contact_.depth_rate(t_);
+  const Moment now = contact_.at(t_);
+  const double v = speed(now, state_), rate = now.depth_rate;
   if (mode_ == RimMode::stick) {
-    layers_.back().to = contact_.depth(t_);
+    layers_.back().to = now.depth;
     layers_.back().touched_end = t_;
     return go_on(margin[0] < margin[1] ? RimMode::forward : RimMode::backward);
   }
@@ -263,7 +270,7 @@ void RimMotion::change() {
   auto least = std::min_element(margin.begin(), margin.end()) - margin.begin();
   // Cells that slid together before do so again all at once: then the layer is used up and no rim
   // is left, and rounding would decide which of the two is seen first.
-  if (least == 2 && margin[1] <= no_time * std::max(1.0, std::abs(level(t_, state_(place_), d))))
+  if (least == 2 && margin[1] <= no_time * std::max(1.0, std::abs(level(now, state_(place_), d))))
     least = 1;
   if (least == 1) {
     layers_.pop_back();
@@ -274,7 +281,7 @@ void RimMotion::change() {
   cut_layer(d);
   if (least == 2) return go_on(other);
   const double from = layers_.empty() ? 0 : layers_.back().to;
-  layers_.push_back({d, level(t_, state_(place_), d), from, contact_.depth(t_), 0, 0});
+  layers_.push_back({d, level(now, state_(place_), d), from, now.depth, 0, 0});
   go_on(rate > 0 && d * v > -rate ? RimMode::stick : other);
 }
 

@@ -2,6 +2,8 @@
 // radius inside which cells stick is a smooth function of time and of what the cells remember.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "base/constants.hpp"
@@ -54,7 +56,9 @@ class RimMotion {
   void show_anew() { shown_ = {}; }
 
   /// Of the body, at a time and state of a step.
-  double speed(double t, const StateVector& state) const { return velocity_ - behind(t, state); }
+  double speed(double t, const StateVector& state) const {
+    return holder_.mass > 0 ? velocity_ - state(0) : speed(contact_.at(t), state);
+  }
   /// Those of a motion that always slides, from start() on.
   const std::vector<TimeStep>& kept() const { return kept_; }
 
@@ -72,17 +76,23 @@ class RimMotion {
     double value = 0, slope = 0;
   };
 
-  double behind(double t, const StateVector& state) const;
+  using Moment = ScaledContact::Moment;
+
+  double speed(const Moment& now, const StateVector& state) const {
+    return velocity_ - behind(now, state, sticking(now, state));
+  }
+  double behind(const Moment& now, const StateVector& state, double stuck) const;
   int direction() const;
-  double level(double t, double place, int d) const;
+  double level(const Moment& now, double place, int d) const { return place - d * now.depth; }
   double level_of(const Layer& layer, double depth, double touched, int d) const;
   TouchedLevel touched_level(double touched, int d) const;
   double inner_level(const Layer& layer, int d) const;
   double touched_when(const Layer& layer, double level, int d) const;
-  double stuck_to(double t, double place) const;
-  double sticking(double t, const StateVector& state) const;
+  double stuck_to(const Moment& now, double place) const;
+  double sticking(const Moment& now, const StateVector& state) const;
+  const Moment& moment(double t);
   double holding_force(const StateVector& state) const;
-  void rates(double t, const StateVector& state, StateVector& out) const;
+  void rates(double t, const StateVector& state, StateVector& out);
 
   std::vector<double> margins(double t, const StateVector& state) const;
   double least_margin(double t, const StateVector& state) const;
@@ -113,6 +123,9 @@ class RimMotion {
     double t = -infinity, place = 0, depth = 0, when = -infinity;
   };
   mutable Answer touched_;
+  /// Of rates(), the last ones: a step asks for the same times again and again.
+  std::array<Moment, TimeStep::nodes + 1> moments_;
+  std::size_t oldest_ = 0;
   double clear_since_ = 0;
   Shown shown_;
   int at_once_ = 0;  ///< events since time last went on
