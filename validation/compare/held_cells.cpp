@@ -90,7 +90,9 @@ class HeldSteps {
         // A body or a damper is balanced over the step; springs alone, which have no rate, at its
         // end.
         share_(holder_.mass > 0 || holder_.drive.damper > 0 ? 0.5 : 1),
-        forces_(static_cast<std::size_t>(cells)) {
+        forces_(static_cast<std::size_t>(cells)),
+        most_(forces_.size()),
+        relaxed_(forces_.size()) {
     const double width = half_space.edge() / cells;
     for (int i = 0; i < cells; ++i) gaps_.push_back(half_space.gap().at((i + 0.5) * width));
     stiffness_ = 2 * width * half_space.static_modulus();
@@ -136,13 +138,20 @@ class HeldSteps {
     double force = 0, slope = 0;
   };
 
-  /// What a cell resists a step by, over its length, and what it carries along if it stands still.
+  /// What a cell resists a step by, over its length.
   double at_once() const { return memory_ ? memory_->at_once() : stiffness_; }
-  double relaxed(std::size_t i) const { return memory_ ? memory_->relaxed(i) : forces_[i]; }
 
   double bound(std::size_t i) const {
     if (memory_) return half_space_.friction() * memory_->pressed(i);
     return half_space_.friction() * stiffness_ * std::max(0.0, depth_ - gaps_[i]);
+  }
+
+  /// What each cell carries at most, and along if it stands still: of a step, whatever d is.
+  void begin_step() {
+    for (std::size_t i = 0; i < gaps_.size(); ++i) {
+      most_[i] = bound(i);
+      relaxed_[i] = memory_ ? memory_->relaxed(i) : forces_[i];
+    }
   }
 
   /// Of all cells, after the body has moved by d.
@@ -150,9 +159,9 @@ class HeldSteps {
     const double spring = half_space_.shear_ratio() * at_once(), moved = spring * (d + driven_);
     Pull all;
     for (std::size_t i = 0; i < gaps_.size(); ++i) {
-      const double most = bound(i), force = relaxed(i) + moved;
-      all.force += std::clamp(force, -most, most);
-      if (std::abs(force) < most) all.slope += spring;
+      const double most = most_[i], force = relaxed_[i] + moved;
+      all.force += std::min(std::max(force, -most), most);
+      all.slope += std::abs(force) < most ? spring : 0.0;
     }
     return all;
   }
@@ -163,6 +172,7 @@ class HeldSteps {
                   (1 - share_) * force_;
     for (std::size_t j = 0; j < left_.size(); ++j)
       rest += (1 - share_ + share_ * left_[j]) * body(2 + static_cast<Eigen::Index>(j));
+    begin_step();
     constexpr int most_corrections = 60;
     double d = 0, piece = -1;
     for (int i = 0; i < most_corrections; ++i) {
@@ -185,7 +195,7 @@ class HeldSteps {
     const double spring = half_space_.shear_ratio() * at_once(), moved = spring * (d + driven_);
     force_ = 0;
     for (std::size_t i = 0; i < gaps_.size(); ++i) {
-      const double most = bound(i), before = relaxed(i);
+      const double most = most_[i], before = relaxed_[i];
       forces_[i] = std::clamp(before + moved, -most, most);
       if (memory_) memory_->shear(i, half_space_.shear_ratio(), (forces_[i] - before) / spring);
       force_ += forces_[i];
@@ -201,7 +211,7 @@ class HeldSteps {
   const indenter::Holder& holder_;
   int steps_;
   double step_, driven_, share_;
-  std::vector<double> gaps_, forces_, left_, gained_;
+  std::vector<double> gaps_, forces_, most_, relaxed_, left_, gained_;
   std::optional<MemorySteps> memory_;  ///< none of an elastic half-space
   double stiffness_ = 0, slope_ = 0, depth_ = 0, force_ = 0;
   double friction_ = 0, bound_ = 0;
