@@ -69,7 +69,8 @@ struct SteppedMasses {
                  theta * step * masses.matrix())
                  .inverse()),
         pushed(theta * step * kept * masses.push()),
-        give(-masses.end_velocity(pushed.data())) {
+        give(-masses.end_velocity(pushed.data())),
+        taken(static_cast<std::size_t>(kept.cols())) {
     for (Eigen::Index j = 0; j < kept.cols(); ++j)
       end.push_back(masses.end_velocity(kept.col(j).data()));
   }
@@ -79,16 +80,22 @@ struct SteppedMasses {
     for (std::size_t j = 0; j < end.size(); ++j) sum += end[j] * x[j];
     return sum;
   }
-  void take(double* x, double force) const {
-    Eigen::Map<Eigen::VectorXd> state(x, kept.cols());
-    state += (kept * state + force * pushed - state).eval() / theta;
+  // x_1 = x_0 + (x_theta - x_0)/theta.
+  void take(double* x, double force) {
+    std::fill(taken.begin(), taken.end(), 0);
+    for (std::size_t j = 0; j < taken.size(); ++j) {
+      const double* column = kept.data() + j * taken.size();
+      for (std::size_t i = 0; i < taken.size(); ++i) taken[i] += column[i] * x[j];
+    }
+    for (std::size_t i = 0; i < taken.size(); ++i)
+      x[i] += (taken[i] + force * pushed(static_cast<Eigen::Index>(i)) - x[i]) / theta;
   }
 
   double theta;
   Eigen::MatrixXd kept;
   Eigen::VectorXd pushed;
   double give;
-  std::vector<double> end;
+  std::vector<double> end, taken;  ///< taken: room for a step
 };
 
 class Stepper {
@@ -114,7 +121,7 @@ class Stepper {
 
   std::size_t steps() const { return bounds_.size(); }
 
-  Period run(const MapState& state) const {
+  Period run(const MapState& state) {
     if (masses_) return run_on<Above::masses>(state);
     return equations_.body ? run_on<Above::body>(state) : run_on<Above::drive>(state);
   }
@@ -130,7 +137,7 @@ class Stepper {
   };
 
   template <Above above>
-  Period run_on(const MapState& state) const {
+  Period run_on(const MapState& state) {
     Period period{state, 0, {}, infinity};
     double* const y = period.end.y.data();
     for (std::size_t i = 0; i < bounds_.size(); ++i) {
@@ -146,7 +153,7 @@ class Stepper {
   }
 
   template <Above above>
-  Outcome step(double* y, double bound) const {
+  Outcome step(double* y, double bound) {
     double* const forces = y + equations_.contact_begin();
     constexpr bool moves = above != Above::drive;
     const double law = on_point_.offset(forces), load = on_body_.offset(forces);
@@ -236,7 +243,7 @@ class MoreauMap final : public PeriodMap {
             start == Start::rest ? Motion::stick : Motion::slip};
   }
   Period run(const MapState& state, PeriodAccuracy accuracy) override {
-    const Stepper& stepper = accuracy == PeriodAccuracy::asked ? asked_ : coarser_;
+    Stepper& stepper = accuracy == PeriodAccuracy::asked ? asked_ : coarser_;
     effort_.spend(stepper.steps() * (moreau_step_work + equations_.size()));
     return stepper.run(state);
   }
