@@ -14,6 +14,7 @@
 #include "base/free_swings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -267,12 +268,46 @@ class Program {
   Reals swings_ = Reals(harmonics_.size(), 0);  // of which the maximum is upper_
 };
 
+// What was asked last, and found: each motion of a scene asks the same, and a program takes
+// milliseconds. Without memory of its own, so that nothing is to be done where a thread ends.
+struct KnownMaximum {
+  std::size_t count = 0;
+  std::array<int, most_swings> harmonics{};
+  bool found = false;
+  double lower = 1, upper = 1;
+  std::array<double, most_swings> swings{};
+
+  bool is_of(const std::vector<int>& asked) const {
+    return asked.size() == count && std::equal(asked.begin(), asked.end(), harmonics.begin());
+  }
+
+  void take(const std::vector<int>& asked, const std::optional<LeastMaximum>& least) {
+    count = asked.size();
+    std::copy(asked.begin(), asked.end(), harmonics.begin());
+    found = least.has_value();
+    if (!found) return;
+    lower = least->lower;
+    upper = least->upper;
+    std::copy(least->swings.begin(), least->swings.end(), swings.begin());
+  }
+
+  std::optional<LeastMaximum> answer() const {
+    if (!found) return std::nullopt;
+    return LeastMaximum{lower, upper, {swings.data(), swings.data() + count}};
+  }
+};
+
+thread_local KnownMaximum known_maximum;
+
 }  // namespace
 
 std::optional<LeastMaximum> least_maximum(const std::vector<int>& harmonics) {
   if (harmonics.empty()) return LeastMaximum{};
   if (harmonics.size() > most_swings) return std::nullopt;
-  if (harmonics.size() > 1) return Program(harmonics).run();
+  if (harmonics.size() > 1) {
+    if (!known_maximum.is_of(harmonics)) known_maximum.take(harmonics, Program(harmonics).run());
+    return known_maximum.answer();
+  }
   const int n = harmonics.front();
   const double quarter = pi / (2 * n), border = std::cos(quarter);
   return LeastMaximum{border, border, {-std::sin(quarter) / n}};

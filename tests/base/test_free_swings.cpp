@@ -46,6 +46,20 @@ BOOST_AUTO_TEST_CASE(it_can_be_interrupted) {
   BOOST_CHECK_THROW(least_maximum({2, 3}), Interrupted);
 }
 
+BOOST_AUTO_TEST_CASE(what_was_asked_last_is_known) {
+  struct Computed {};
+  const LeastMaximum first = *least_maximum({2, 5});
+  const Interruptible asked([] { throw Computed{}; });
+  const LeastMaximum again = *least_maximum({2, 5});
+  BOOST_TEST(again.lower == first.lower);
+  BOOST_TEST(again.upper == first.upper);
+  BOOST_TEST(again.swings == first.swings, boost::test_tools::per_element());
+  for (const std::vector<int>& others :
+       {std::vector{2, 7}, std::vector{2, 5, 7}, std::vector{3, 5}})
+    BOOST_CHECK_THROW(least_maximum(others), Computed);
+  BOOST_TEST(least_maximum({2, 5})->upper == first.upper);
+}
+
 BOOST_AUTO_TEST_CASE(one_harmonic_or_none) {
   BOOST_TEST(least_maximum({})->upper == 1);
   for (const int n : {2, 3, 4, 17, 100})
