@@ -104,8 +104,8 @@ void HeldCells::place_cells(const HalfSpace& half_space, const MemoryCells& cell
   bound_ = bounds_.sum();
 }
 
-/// Of all cells after a way of theirs, and its slope. Which cells slide changes from cell to cell: a
-/// choice of numbers is quicker than a jump that is guessed wrongly.
+/// Of all cells after a way of theirs, and its slope. Which cells slide changes from cell to cell:
+/// a choice of numbers is quicker than a jump that is guessed wrongly.
 double HeldCells::pulled(const Eigen::ArrayXd& relaxed, Eigen::Index step, double way,
                          double& slope) const {
   const double* bounds = bounds_.col(step).data();
