@@ -1,7 +1,6 @@
-"""The module in the repository is what its sources make, and asks nothing of a page but libc's few calls."""
+"""The module in the repository is of the present sources, and asks nothing of a page but libc's few calls."""
 
 import gzip
-import os
 import shutil
 import subprocess
 import tempfile
@@ -44,25 +43,35 @@ def imports(module):
     return found
 
 
-def with_memory(folder):
-    """The environment in which build_module's compiler is ccache where that is installed: clang takes a minute for what
-    it may have compiled before. ccache knows it by the preprocessed text, and takes the next of the name on PATH."""
-    if not (ccache := shutil.which("ccache")):
-        return os.environ
-    links = Path(folder, "compilers")
-    links.mkdir()
-    (links / "clang++-16").symlink_to(ccache)
-    # The folder's name, which is another each time, is in no output.
-    return os.environ | {"PATH": f"{links}:{os.environ['PATH']}", "CCACHE_NOHASHDIR": "1"}
+def of_present_sources(live, module):
+    """Whether a module bears the hash of what would be compiled, and was not changed after it."""
+    ran = subprocess.run([live / "build_module", "--check", module], capture_output=True, text=True)
+    assert not ran.stderr, ran.stderr
+    return ran.returncode == 0
 
 
 class Module(unittest.TestCase):
-    def test_the_sources_make_the_same_bytes(self):
+    def test_it_is_of_the_present_sources(self):
+        self.assertTrue(of_present_sources(LIVE, LIVE / "simulator.wasm.gz"), "./dev module compiles it anew")
+
+    def test_a_changed_header_or_flag_is_noticed_and_a_comment_is_not(self):
         with tempfile.TemporaryDirectory(prefix="vcrit-module-") as folder:
-            made = Path(folder, "simulator.wasm.gz")
-            subprocess.run([LIVE / "build_module", made], check=True, env=with_memory(folder))
-            self.assertTrue(made.read_bytes() == (LIVE / "simulator.wasm.gz").read_bytes(),
-                            "./dev module compiles it anew")
+            for part in ("src", "validation/live"):
+                shutil.copytree(PROJECT / part, Path(folder, part))
+            live = Path(folder, "validation/live")
+            module = live / "simulator.wasm.gz"
+
+            def noticed(path, old, new):
+                text = path.read_text()
+                self.assertIn(old, text)
+                path.write_text(text.replace(old, new, 1))
+                same = of_present_sources(live, module)
+                path.write_text(text)
+                return not same
+
+            self.assertFalse(noticed(Path(folder, "src/scene/scene.hpp"), "#pragma once\n", "#pragma once  // once\n\n"))
+            self.assertTrue(noticed(Path(folder, "src/base/errors.hpp"), "class Bug :", "class [[nodiscard]] Bug :"))
+            self.assertTrue(noticed(live / "build_module", " -O2 ", " -O1 "))
 
     def test_it_asks_for_no_file_no_clock_and_no_network(self):
         module = gzip.decompress((LIVE / "simulator.wasm.gz").read_bytes())
