@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "base/files.hpp"
 #include "emit/generate.hpp"
@@ -29,16 +30,16 @@ std::string generate_into(const symbolic::Derivation& derivation,
   }
 }
 
-// As in the driver: a time, then the values.
+// As in the driver: the values, then a time.
 WayAnswers read_answers(std::istream& stream, const Way& way, std::size_t count) {
   const auto next = [&stream] {
     std::string word;
     if (!(stream >> word)) throw std::runtime_error("the compiled evaluators wrote too little");
     return std::strtod(word.c_str(), nullptr);
   };
-  WayAnswers answers{way, next(), {}};
-  for (std::size_t i = 0; i < count; ++i) answers.values.push_back(next());
-  return answers;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < count; ++i) values.push_back(next());
+  return {way, next(), std::move(values)};
 }
 
 }  // namespace
@@ -102,7 +103,7 @@ std::vector<WayAnswers> Driver::run(const std::vector<std::vector<double>>& sets
 std::vector<WayAnswers> Driver::run(const std::vector<std::vector<double>>& sets,
                                     const std::vector<Way>& ways) const {
   const std::filesystem::path in = folder_->path() / "sets", out = folder_->path() / "answers";
-  std::string text;
+  std::string text = fmt::format("{}\n", sets.size());
   for (const std::vector<double>& set : sets) text += fmt::format("{:a}\n", fmt::join(set, " "));
   write_file(in, text);
   std::vector<std::string> command{folder_->path() / "driver", in, out};
