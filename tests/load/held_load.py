@@ -3,7 +3,7 @@ and a compiler. Values are compared with nodal analysis at 250 digits (data/scen
 with the program) and have to lie within their own bound; what is refused has to be refused with one message and the
 right status.
 
-    held_load.py PROGRAM [--scenes 10000] [--compiled 100] [--seed 1] [--jobs 2]
+    held_load.py PROGRAM [--scenes 10000] [--compiled 100] [--level=-O1] [--seed 1] [--jobs 2]
 
 Prints what came out of how many; ends with status 1 and the scenes that failed (kept in the folder
 that it names) if there are any.
@@ -56,8 +56,8 @@ def require(condition, *what):
 class Trial:
     """One scene in a folder of its own."""
 
-    def __init__(self, program, folder, seed, compiles):
-        self.program, self.folder, self.compiles, self.seed = program, folder, compiles, seed
+    def __init__(self, program, folder, seed, level):
+        self.program, self.folder, self.level, self.seed = program, folder, level, seed  # None: compiles nothing
         self.draw = Draw(seed)
         self.is_broken = seed % 10 == 0
         self.text = self.draw.toml()
@@ -105,7 +105,7 @@ class Trial:
             if self.seed % SWEPT == 1:
                 self.command("critical", "--json", statuses=(3,))
                 self.check_sweep(answer)
-        if self.compiles:
+        if self.level:
             self.compile()
         return self.found
 
@@ -251,7 +251,7 @@ class Trial:
         if self.command("generate", "--out", "lib", "--name", "scene").returncode != 0:
             return
         library = self.folder / "lib"
-        built = subprocess.run(["g++", "-std=c++20", "-Wall", "-Wextra", "-Werror", "-O1", "test_scene.cpp", "-o", "test"],
+        built = subprocess.run(["g++", "-std=c++20", "-Wall", "-Wextra", "-Werror", self.level, "test_scene.cpp", "-o", "test"],
                                cwd=library, capture_output=True, text=True)
         require(built.returncode == 0, "does not compile:", built.stderr[-2000:])
         ran = subprocess.run([library / "test"], cwd=library, capture_output=True, text=True)
@@ -259,11 +259,11 @@ class Trial:
         self.found["compiled and agrees"] += 1
 
 
-def attempt(program, folder, seed, compiles):
+def attempt(program, folder, seed, level):
     place = folder / str(seed)
     place.mkdir()
     try:
-        found = Trial(program, place, seed, compiles).run()
+        found = Trial(program, place, seed, level).run()
     except Exception as error:  # whatever it is, the others go on
         return Counter(), f"{place}: {error}"
     shutil.rmtree(place)
@@ -275,13 +275,15 @@ def main():
     options.add_argument("program", type=Path)
     options.add_argument("--scenes", type=int, default=10000)
     options.add_argument("--compiled", type=int, default=100)
+    options.add_argument("--level", default="-O1", help="of the compiler: 13 s for a large mesh, with -O0 a fifth")
     options.add_argument("--seed", type=int, default=1)
     options.add_argument("--jobs", type=int, default=2)
     chosen = options.parse_args()
     folder, total, failures = Path(tempfile.mkdtemp(prefix="held-load-")), Counter(), []
     every = max(1, chosen.scenes // chosen.compiled)
     with ProcessPoolExecutor(chosen.jobs) as pool:
-        trials = [pool.submit(attempt, chosen.program.resolve(), folder, chosen.seed + i, i % every == every // 2)
+        trials = [pool.submit(attempt, chosen.program.resolve(), folder, chosen.seed + i,
+                              chosen.level if i % every == every // 2 else None)
                   for i in range(chosen.scenes)]
         for trial in trials:
             found, failure = trial.result()
