@@ -3,6 +3,8 @@
 // end in #error or keep its bounds, against nodal elimination at 250 digits.
 #include <boost/test/unit_test.hpp>
 
+#include <map>
+
 #include "derivation/scenes.hpp"
 #include "emit/draw.hpp"
 #include "emit/library.hpp"
@@ -129,16 +131,19 @@ class Builds {
     write("evaluate.c", with(c_side, "{X}", all));
     write("judge.c", fmt::format("enum {{ N = {} }};\n", count) + with(judge, "ROWS", rows));
     write("fma.c", false_fma);
+    write("nothing", "");
     write("empty.cpp", "#include <cmath>\nint main() {}\n");
     write("empty.c", "#include <math.h>\nint main(void) { return 0; }\n");
   }
 
-  /// Whether the compiler has these flags, and what it takes to link for them.
-  bool knows(const Compiler& compiler, const Words& flags) const {
-    Words command{compiler.name, path(compiler.is_cpp ? "empty.cpp" : "empty.c"), "-o",
-                  path("empty")};
+  /// Whether the compiler has these flags, and what it takes to link for their target.
+  bool knows(const Compiler& compiler, const Words& flags) {
+    Words command{compiler.name, "-fsyntax-only", "-x", compiler.is_cpp ? "c++" : "c",
+                  path("nothing")};
     command.insert(command.end(), flags.begin(), flags.end());
-    return run(command).status == 0;
+    Words link{compiler.name, path(compiler.is_cpp ? "empty.cpp" : "empty.c"), "-o", path("empty")};
+    for (const std::string& flag : target_of(flags)) link.push_back(flag);
+    return once(command).status == 0 && once(link).status == 0;
   }
 
   /// In both languages.
@@ -153,31 +158,30 @@ class Builds {
   }
 
   /// The compiler's complaints.
-  std::string compile(const Compiler& compiler, const Words& flags) const {
+  std::string compile(const Compiler& compiler, const Words& flags) {
     Words command{compiler.name, compiler.is_cpp ? "-std=c++20" : "-std=c99", "-I", path("")};
     command.insert(command.end(), flags.begin(), flags.end());
+    evaluate_ = path(fmt::format("{}{}.o", compiler.name, fmt::join(flags, "")));
     for (const std::string& word :
          {std::string("-c"), path(compiler.is_cpp ? "evaluate.cpp" : "evaluate.c"),
-          std::string("-o"), path("evaluate.o")})
+          std::string("-o"), evaluate_})
       command.push_back(word);
-    const test::Outcome outcome = run(command);
+    const test::Outcome& outcome = once(command);
     return outcome.status == 0 ? "" : outcome.output + " ";
   }
 
   /// Of what was compiled last, linked with `more` objects.
-  Judged judged(const Words& flags, const Words& more = {}) const {
-    const auto plain = [&](const std::string& name) {
-      Words command{"gcc", "-O1", "-fno-builtin", "-c", path(name + ".c"), "-o", path(name + ".o")};
+  Judged judged(const Words& flags, const Words& more = {}) {
+    Words link{"g++", evaluate_};
+    const auto add = [&](const std::string& name) {
+      link.push_back(path(fmt::format("{}{}.o", name, fmt::join(flags, ""))));
+      Words command{"gcc", "-O1", "-fno-builtin", "-c", path(name + ".c"), "-o", link.back()};
       command.insert(command.end(), flags.begin(), flags.end());
-      return run(command);
+      BOOST_REQUIRE_EQUAL(once(command).output, "");
     };
-    Words link{"g++", path("evaluate.o"), path("judge.o")};
+    add("judge");
+    for (const std::string& name : more) add(name);
     link.insert(link.end(), flags.begin(), flags.end());
-    BOOST_REQUIRE_EQUAL(plain("judge").output, "");
-    for (const std::string& name : more) {
-      BOOST_REQUIRE_EQUAL(plain(name).output, "");
-      link.push_back(path(name + ".o"));
-    }
     for (const std::string& word : {std::string("-lm"), std::string("-o"), path("judge")})
       link.push_back(word);
     BOOST_REQUIRE_EQUAL(run(link).output, "");
@@ -192,9 +196,23 @@ class Builds {
     write_file(folder_.path() / name, text);
   }
   test::Outcome run(const Words& command) const { return test::run(command, folder_.path()); }
+  /// Compilers make the same of the same.
+  const test::Outcome& once(const Words& command) {
+    const auto known = outcomes_.find(command);
+    return known != outcomes_.end() ? known->second
+                                    : outcomes_.emplace(command, run(command)).first->second;
+  }
 
   test::PrivateFolder folder_;
+  std::map<Words, test::Outcome> outcomes_;
+  std::string evaluate_;  // the object of the last compilation
 };
+
+/// One for all cases.
+Builds& builds_of_kelvin() {
+  static Builds builds;
+  return builds;
+}
 
 }  // namespace
 
@@ -214,7 +232,7 @@ BOOST_AUTO_TEST_CASE(inexact_arithmetic_is_refused_or_has_no_bound) {
       {"-O2", "-m32", "-ffloat-store"},
       {"-O2", "-m32", "-fexcess-precision=fast"},
       {"-O2", "-m32", "-mpc64"}};
-  const Builds builds;
+  Builds& builds = builds_of_kelvin();
   int refused = 0, judged = 0;
   for (const Compiler& compiler : builds.compilers())
     for (const Words& flags : hostile)
@@ -241,7 +259,7 @@ BOOST_AUTO_TEST_CASE(inexact_arithmetic_is_refused_or_has_no_bound) {
 }
 
 BOOST_AUTO_TEST_CASE(exact_arithmetic_keeps_its_bounds) {
-  const Builds builds;
+  Builds& builds = builds_of_kelvin();
   for (const Compiler& compiler : builds.compilers())
     for (const Words& flags : {Words{"-O2"},
                                {"-O3", "-march=native", "-ffp-contract=fast", "-fno-math-errno"},
@@ -262,7 +280,7 @@ BOOST_AUTO_TEST_CASE(exact_arithmetic_keeps_its_bounds) {
 
 // As in a libm of machines without one. Linked before the real one.
 BOOST_AUTO_TEST_CASE(a_false_fma_leaves_no_bound) {
-  const Builds builds;
+  Builds& builds = builds_of_kelvin();
   for (const Compiler& compiler : builds.compilers()) BOOST_TEST_CONTEXT(compiler.name) {
       BOOST_REQUIRE_EQUAL(builds.compile(compiler, {"-O2"}), "");
       const Judged judged = builds.judged({}, {"fma"});
