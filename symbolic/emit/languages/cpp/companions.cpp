@@ -185,7 +185,6 @@ const char* const frame =
 {include}
 #include <cmath>
 #include <cstdio>
-#include <vector>
 
 namespace {{
 
@@ -234,15 +233,15 @@ int main() {{
   expect(identity(g.partial, 0x1p-53 * v.value), "partial derivatives by the elements");
   expect(!(f.relative_error_bound < 1e-13) || identity(fast_g.partial, v.value), "the same in plain double");
 
-  std::vector<double> omega(75), out(75), fast_out(75), bounds(75);
-  for (std::size_t i = 0; i < omega.size(); ++i)
-    omega[i] = {omegas};
+  constexpr std::size_t size = 75;
+  double omega[size], columns[size], fast_columns[size], out[size], fast_out[size], bounds[size];
+  for (std::size_t i = 0; i < size; ++i)
+    omega[i] = columns[i] = fast_columns[i] = {omegas};
   critical_velocity(p, omega, out);
   fast::critical_velocity(p, omega, fast_out);
-  std::vector<double> columns = omega, fast_columns = omega;
-  critical_velocity(p, Columns{{.{omega} = columns.data()}}, columns, std::span<double>(bounds));
-  fast::critical_velocity<Varying{{.{omega} = true}}>(p, {{.{omega} = fast_columns.data()}}, fast_columns);
-  for (std::size_t i = 0; i < omega.size(); ++i) {{
+  critical_velocity(p, Columns{{.{omega} = columns}}, columns, std::span<double>(bounds));
+  fast::critical_velocity<Varying{{.{omega} = true}}>(p, {{.{omega} = fast_columns}}, fast_columns);
+  for (std::size_t i = 0; i < size; ++i) {{
     Parameters at = p;
     at.{omega} = omega[i];
     const Certified one = critical_velocity_certified(at);
