@@ -60,8 +60,8 @@ struct CriticalComparison {
     f("tolerance", it.tolerance())("agree", it.agrees());
     f.when(it.of_fit > 0, "realisation_difference", it.of_fit);
     if (it.answered < it.cells)
-      f.group("stick_onset_cells", [&](record::Fields& cells) {
-        cells("asked", it.cells)("with_steady_state", it.answered);
+      f.group("stick_onset_cells", [&](record::Fields& group) {
+        group("asked", it.cells)("with_steady_state", it.answered);
       });
     f.when(it.uncertainty > 0, "stick_onset_tolerance", it.stick_tolerance());
     f.when(!it.stick_onset, "stick_onset_missing", it.missing).some("warnings", it.warnings);

@@ -41,24 +41,24 @@ struct Evaluation {
   bool by_phase() const { return critical.by == CriticalOnset::By::maximum_over_the_phase; }
 
   friend void fields(record::Fields& f, const Evaluation& it) {
-    const CriticalOnset& critical = it.critical;
+    const CriticalOnset& onset = it.critical;
     const auto known = [](double value) {
       return std::isnan(value) ? std::nullopt : std::optional(value);
     };
-    std::vector<std::string> reasons = it.reasons;
-    if (!critical.reason.empty()) reasons.push_back(critical.reason);
-    f("critical_velocity", critical.contact_velocity);
-    f("relative_error_bound", known(critical.relative_error_bound));
-    f("admissible", it.reasons.empty())("reasons", reasons);
-    f("drive_velocity", critical.drive_velocity);
-    if (const std::vector<int>& free = critical.free_harmonics; !free.empty()) {
-      f("sliding_from", known(critical.sliding_from))("free_harmonic", free.front());
+    std::vector<std::string> all_reasons = it.reasons;
+    if (!onset.reason.empty()) all_reasons.push_back(onset.reason);
+    f("critical_velocity", onset.contact_velocity);
+    f("relative_error_bound", known(onset.relative_error_bound));
+    f("admissible", it.reasons.empty())("reasons", all_reasons);
+    f("drive_velocity", onset.drive_velocity);
+    if (const std::vector<int>& free = onset.free_harmonics; !free.empty()) {
+      f("sliding_from", known(onset.sliding_from))("free_harmonic", free.front());
       f.when(free.size() > 1, "free_harmonics", free);
     }
     f.some("opens", it.opens);
     if (it.opens || it.by_phase()) {
-      f("critical_velocity_by", to_text(critical.by));
-      f.when(it.simulated(), "relative_error_estimate", critical.relative_error);
+      f("critical_velocity_by", to_text(onset.by));
+      f.when(it.simulated(), "relative_error_estimate", onset.relative_error);
     }
     if (it.load) fields(f, *it.load);
     if (it.mount) fields(f, *it.mount);

@@ -95,11 +95,11 @@ struct SimulationAnswer {
   std::optional<BelowMount> mount = {};
 
   friend void fields(record::Fields& f, const SimulationAnswer& it) {
-    const SteadyState& steady = it.steady;
+    const SteadyState& state = it.steady;
     f("velocity", it.speed.velocity)("velocity_ratio", it.speed.ratio);
-    f("friction_ratio", steady.friction_ratio)("friction_ratio_error", steady.friction_ratio_error);
-    f("regime", steady.regime)("method", it.method)("periods", steady.periods);
-    f("events", steady.events).some("energy", it.energy).some("separation", it.separation);
+    f("friction_ratio", state.friction_ratio)("friction_ratio_error", state.friction_ratio_error);
+    f("regime", state.regime)("method", it.method)("periods", state.periods);
+    f("events", state.events).some("energy", it.energy).some("separation", it.separation);
     if (it.load) fields(f, *it.load);
     if (it.mount) fields(f, *it.mount);
     if (it.indenter && it.indenter->on_drive)

@@ -93,13 +93,13 @@ struct Solution {
   const DesignAnswer& answer;
 
   friend void fields(record::Fields& f, const Solution& it) {
-    const auto& [question, answer] = it;
-    f("for", question.sought)("value", answer.value)("unit", unit_of(question.sought));
-    f("value_error", answer.value_error)("at_start", answer.at_start);
-    f("wanted_friction_ratio", question.friction_ratio);
-    f("friction_ratio", answer.state.friction_ratio);
-    f("friction_ratio_error", answer.state.friction_ratio_error)("regime", answer.state.regime);
-    f("velocity", answer.velocity)("critical_velocity", answer.critical_velocity);
+    const auto& [asked, found] = it;
+    f("for", asked.sought)("value", found.value)("unit", unit_of(asked.sought));
+    f("value_error", found.value_error)("at_start", found.at_start);
+    f("wanted_friction_ratio", asked.friction_ratio);
+    f("friction_ratio", found.state.friction_ratio);
+    f("friction_ratio_error", found.state.friction_ratio_error)("regime", found.state.regime);
+    f("velocity", found.velocity)("critical_velocity", found.critical_velocity);
     f.group("limits", [&](record::Fields& limits) {
       limits("amplitude", it.answer.largest_amplitude)("frequency", it.answer.largest_frequency);
     });
@@ -107,7 +107,7 @@ struct Solution {
       searched("from", it.answer.from)("to", it.answer.to)("samples", it.answer.samples);
       searched("evaluations", it.answer.evaluations)("unanswered", it.answer.unanswered);
     });
-    f.some("warnings", question.problem->source->warnings);
+    f.some("warnings", asked.problem->source->warnings);
   }
 };
 

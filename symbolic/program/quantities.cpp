@@ -56,7 +56,7 @@ class QuantityWriter {
   QuantityProgram write() {
     result_.normal = network(problem_->normal.network());
     write_tangential();
-    std::visit([this](const auto& drive) { write_drive(drive); }, problem_->drive);
+    std::visit([this](const auto& drive) { this->write_drive(drive); }, problem_->drive);
     friction_ = program_.multiply(symbol({"mu0"}), symbol({"du_z"}));
     if (result_.drive) dynamic_ = dynamic_stiffness();
     if (problem_->mount) write_mount();
