@@ -50,6 +50,17 @@ void print(const std::string&) {}
     "unbegun.hpp": """#pragma once
 inline int first_of(const std::vector<int>& numbers) { return numbers.front(); }
 """,
+    # Compiled once it would be the same for all.
+    "width.hpp": """#pragma once
+#include <string>
+#ifdef WIDE
+inline int wide = 1;
+#endif
+""",
+    "width.cpp": """#define WIDE
+#include "width.hpp"
+int width() { return wide; }
+""",
     "main.cpp": """#include <vector>
 #include "text.hpp"
 #include "unbegun.hpp"
@@ -60,34 +71,52 @@ ERRORS = {"lacks_include.cpp:2", "includes_if.cpp:4", "lacks_header.cpp:2", "war
           "unbegun.hpp:2"}
 
 
-def checked(files):
-    """Exit status of the check of a project of those files in src, and what it says."""
-    with tempfile.TemporaryDirectory() as folder:
-        project = pathlib.Path(folder).resolve()
+def check(project):
+    """Exit status of the check, and what it says."""
+    done = subprocess.run([sys.executable, "-B", project / "cmake/check_alone.py", project / "build"],
+                          capture_output=True, text=True)
+    return done.returncode, done.stdout + done.stderr
+
+
+class CheckAlone(unittest.TestCase):
+    def project(self, files):
+        """Those files in src, in a folder of its own."""
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        project = pathlib.Path(place.name).resolve()
         for name in ("cmake", "src", "build"):
             (project / name).mkdir()
-        shutil.copy(ROOT / "cmake/check_alone.py", project / "cmake")
+        for name in ("check_alone.py", "compiled_once.py"):
+            shutil.copy(ROOT / "cmake" / name, project / "cmake")
         for name, text in files.items():
             (project / "src" / name).write_text(text)
         commands = [{"file": str(file), "directory": str(project / "build"),
                      "command": f"g++ -std=c++20 -g -Wall -Werror -DVCRIT_NAME=1 -I{project}/src -o {file.stem}.o -c {file}"}
                     for file in sorted((project / "src").glob("*.cpp"))]
         (project / "build/compile_commands.json").write_text(json.dumps(commands))
-        done = subprocess.run([sys.executable, "-B", project / "cmake/check_alone.py", project / "build"],
-                              capture_output=True, text=True)
-        return done.returncode, done.stdout + done.stderr
+        return project
 
-
-class CheckAlone(unittest.TestCase):
-    def test_each_fault_and_no_other(self):
-        status, text = checked(FILES)
+    def assert_faults(self, faults, count, outcome):
+        status, text = outcome
         self.assertNotEqual(status, 0)
-        self.assertEqual(set(re.findall(r"/src/(\S+:\d+):\d+: error: ", text)), ERRORS, text)
-        self.assertIn(f"{len(ERRORS)} of 8 files do not compile on their own", text)
+        self.assertEqual(set(re.findall(r"/src/(\S+:\d+):\d+: error: ", text)), faults, text)
+        self.assertIn(f"{len(faults)} of {count} files do not compile on their own", text)
+
+    def test_each_fault_and_no_other(self):
+        project = self.project(FILES)
+        self.assert_faults(ERRORS, 11, check(project))
+        # What has passed is left out until something that it reads is another.
+        for name, old, new in (("unbegun.hpp", "once", "once\n#include <vector>"), ("width.hpp", "= 1", '= ""')):
+            (project / "src" / name).write_text(FILES[name].replace(old, new))
+        outcome = check(project)
+        self.assert_faults(ERRORS - {"unbegun.hpp:2"} | {"width.hpp:4"}, 9, outcome)
+        again = set(re.findall(r"^\[\d+/\d+\] src/(\S+)$", outcome[1], re.M))
+        changed = {"unbegun.hpp", "main.cpp", "width.hpp", "width.cpp"}
+        self.assertEqual(again, {error.split(":")[0] for error in ERRORS} | changed)
 
     def test_without_faults(self):
-        status, text = checked({name: FILES[name] for name in ("text.hpp", "text.cpp")})
-        self.assertEqual((status, text), (0, "[1/1] src/text.cpp\n"))
+        outcome = check(self.project({name: FILES[name] for name in ("text.hpp", "text.cpp")}))
+        self.assertEqual(outcome, (0, "[1/1] src/text.cpp\n"))
 
 
 unittest.main()
