@@ -79,7 +79,7 @@ class Item:
         self.checks = [self.key(headers.read(file, searched), headers)]  # with headers, if it is their check
 
     def key(self, files, headers):
-        texts = [(str(file), headers.text(file)) for file in files]
+        texts = [(str(file), headers.digest(file)) for file in files]
         return hashlib.sha256(repr((self.file, self.entry, texts)).encode()).hexdigest() if files else None
 
     def checked(self):

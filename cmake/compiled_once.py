@@ -5,6 +5,7 @@ includes all of the set.
 """
 
 import functools
+import hashlib
 import heapq
 import re
 
@@ -42,6 +43,10 @@ class Headers:
         return file.read_text()
 
     @functools.cache
+    def digest(self, file):
+        return hashlib.sha256(self.text(file).encode()).hexdigest()
+
+    @functools.cache
     def includes(self, file):
         """Quotation mark or bracket, and name, of each unconditional include."""
         found, conditions = [], 0
@@ -64,14 +69,20 @@ class Headers:
         return self.own(file, name, searched) if mark == '"' and first[1] == "include" else None
 
     @functools.cache
+    def named(self, file):
+        """What it includes in whatever case, and None for what a macro names."""
+        found = re.findall(r'^\s*#\s*include\s*(?:[<"](.*)[>"]|\S+)', self.text(file), re.M)
+        return [name or None for name in found]
+
+    @functools.cache
     def read(self, file, searched):
         """All files of the project that the compiler may read for it, or none if an include is named by a macro."""
         found, left = {file}, [file]
         while left:
             file = left.pop()
-            if re.search(r"^\s*#\s*include\s*[^<\"\s]", self.text(file), re.M):
+            named = self.named(file)
+            if None in named:
                 return []
-            named = re.findall(r'^\s*#\s*include\s*[<"](.*)[>"]', self.text(file), re.M)
             new = {self.own(file, name, searched) for name in named} - found - {None}
             found |= new
             left += new
