@@ -175,10 +175,11 @@ class Tags(html.parser.HTMLParser):
 
 
 class Pages(Case):
-    def setUp(self):
-        super().setUp()
-        self.browser = browser(self.folder / "profile", network=True)
-        self.addCleanup(self.browser.quit)
+    @classmethod
+    def setUpClass(cls):
+        profile = cls.enterClassContext(tempfile.TemporaryDirectory(prefix="vcrit-profile-"))
+        cls.browser = browser(profile, network=True)
+        cls.addClassCleanup(cls.browser.quit)
 
     def opened(self, page):
         for kind in ["browser", "performance"]:
