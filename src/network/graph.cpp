@@ -41,6 +41,7 @@ std::vector<bool> carries_load(const Graph& graph) {
 
 std::optional<Network> changed_parts(const Series& series, const NewElement& element_of) {
   std::vector<Network> left;
+  left.reserve(series.parts.size());
   for (const Network& part : series.parts) {
     auto kept = with_elements(part, element_of);
     if (!kept) return std::nullopt;
@@ -51,6 +52,7 @@ std::optional<Network> changed_parts(const Series& series, const NewElement& ele
 
 std::optional<Network> changed_parts(const Parallel& parallel, const NewElement& element_of) {
   std::vector<Network> left;
+  left.reserve(parallel.parts.size());
   for (const Network& part : parallel.parts)
     if (auto kept = with_elements(part, element_of)) left.push_back(std::move(*kept));
   if (left.empty()) return std::nullopt;
@@ -60,6 +62,8 @@ std::optional<Network> changed_parts(const Parallel& parallel, const NewElement&
 std::optional<Network> changed_parts(const Graph& graph, const NewElement& element_of) {
   check_wires(graph);
   Graph left{graph.nodes, {}, {}};
+  left.parts.reserve(graph.parts.size());
+  left.wires.reserve(graph.wires.size());
   for (std::size_t i = 0; i < graph.parts.size(); ++i)
     if (auto kept = with_elements(graph.parts[i], element_of)) {
       left.parts.push_back(std::move(*kept));

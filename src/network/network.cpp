@@ -10,6 +10,13 @@ namespace {
 template <class Combination>
 Network combine(std::vector<Network> parts) {
   Combination whole;
+  const auto same_kind = [](const Network& part) {
+    return std::holds_alternative<Combination>(part.form);
+  };
+  if (parts.size() > 1 && std::ranges::none_of(parts, same_kind)) {
+    whole.parts = std::move(parts);
+    return {std::move(whole)};
+  }
   for (Network& part : parts) {
     if (auto* same = std::get_if<Combination>(&part.form))
       std::move(same->parts.begin(), same->parts.end(), std::back_inserter(whole.parts));
