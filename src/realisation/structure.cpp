@@ -41,7 +41,8 @@ class Balance {
         stiffness_(structure.stiffness_matrix()),
         reach_(structure.reach()),
         matrix_(reach_.size(), reach_.size()),
-        solution_(reach_.size()) {}
+        solution_(reach_.size()),
+        over_(reach_.size()) {}
 
   // L D L^T by columns, the lower half alone.
   const VectorXcd& solve(double omega) {
@@ -53,7 +54,7 @@ class Balance {
     solution_ = reach_;
     // From the last to the first, as y, without mass, is the stiffest of all.
     for (Index k = count - 1; k >= 0; --k) {
-      const Complex over = 1.0 / matrix_(k, k);
+      const Complex over = over_[k] = 1.0 / matrix_(k, k);
       for (Index i = 0; i < k; ++i) {
         const Complex part = multiply(matrix_(k, i), over);
         solution_[i] -= multiply(part, solution_[k]);
@@ -62,10 +63,9 @@ class Balance {
       solution_[k] = multiply(solution_[k], over);
     }
     for (Index k = 1; k < count; ++k) {
-      const Complex over = 1.0 / matrix_(k, k);
       Complex sum = 0;
       for (Index i = 0; i < k; ++i) sum += multiply(matrix_(k, i), solution_[i]);
-      solution_[k] -= multiply(over, sum);
+      solution_[k] -= multiply(over_[k], sum);
     }
     return solution_;
   }
@@ -80,7 +80,7 @@ class Balance {
   MatrixXd damping_, stiffness_;
   VectorXd reach_;
   MatrixXcd matrix_;
-  VectorXcd solution_;
+  VectorXcd solution_, over_;  // of the matrix' diagonal, once eliminated, 1/d
 };
 
 /// The derivatives of R by the parameters: dR = 2 db.u - u.(d matrix) u, as the matrix is
