@@ -10,6 +10,7 @@
 
 #include "answers/friction.hpp"
 #include "critical/critical_velocity.hpp"
+#include "modes/general_modes.hpp"
 #include "problem/variation.hpp"
 #include "scene/scene.hpp"
 #include "simulation/system/system.hpp"
