@@ -115,9 +115,11 @@ def run(words, directory):
 
 
 def sources():
+    """Those of the project, not what the build writes."""
     for entry in json.loads((build / "compile_commands.json").read_text()):
         file = Path(entry["file"])
-        if file.suffix == ".cpp" and project in file.parents and (not folders or folder_of(file) in folders):
+        own = project in file.parents and build.resolve() not in file.parents
+        if file.suffix == ".cpp" and own and (not folders or folder_of(file) in folders):
             yield file, {"words": words_of(entry["command"]), "directory": entry["directory"]}
 
 

@@ -92,7 +92,7 @@ class CheckAlone(unittest.TestCase):
             (project / "src" / name).write_text(text)
         commands = [{"file": str(file), "directory": str(project / "build"),
                      "command": f"g++ -std=c++20 -g -Wall -Werror -DVCRIT_NAME=1 -I{project}/src -o {file.stem}.o -c {file}"}
-                    for file in sorted((project / "src").glob("*.cpp"))]
+                    for folder in ("build", "src") for file in sorted((project / folder).glob("*.cpp"))]
         (project / "build/compile_commands.json").write_text(json.dumps(commands))
         return project
 
@@ -115,7 +115,8 @@ class CheckAlone(unittest.TestCase):
         self.assertEqual(again, {error.split(":")[0] for error in ERRORS} | changed)
 
     def test_without_faults(self):
-        outcome = check(self.project({name: FILES[name] for name in ("text.hpp", "text.cpp")}))
+        made = {"../build/made.cpp": '#include "made.hpp"\nint made = ;\n', "../build/made.hpp": "int made = ;\n"}  # by the build
+        outcome = check(self.project({name: FILES[name] for name in ("text.hpp", "text.cpp")} | made))
         self.assertEqual(outcome, (0, "[1/1] src/text.cpp\n"))
 
 
