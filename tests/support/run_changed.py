@@ -3,9 +3,10 @@
     run_changed.py BUILD [--all] [WORD...]     in the project's folder; --all and named entries run in any case
 
 What an entry depends on is hashed: its command and environment, the files and folders that these name, those whose
-paths are in the programs among them (of programs not the commit that they are made of), the machine, its packages and tools; of scripts also each file of the project
-that is no C++, of whatever is given the project's or the build's folder each file there. An entry that has passed is
-kept under its hash (BUILD/passed.json) and left out as long as the hash stays. Without git all entries run.
+paths are in the programs among them (of a program not the commit that it is made of), the machine, its packages and
+tools; of scripts also each file of the project that is no C++, of whatever is given the project's or the build's folder
+each file there. An entry that has passed is kept under its hash (BUILD/passed.json) and left out as long as the hash
+stays. Without git all entries run.
 """
 
 import functools
