@@ -36,11 +36,11 @@ ModelError::ModelError(const std::string& what, const std::string& advice)
     : std::runtime_error(with_advice(what, advice)),
       advice_(std::make_shared<const std::string>(advice)) {}
 
-Bug::Bug(const std::string& what, const char* function, int line)
-    : std::logic_error(fmt::format("bug in vcrit ({}, line {}): {}", function, line, what)) {}
+Bug::Bug(const std::string& what, const char* function)
+    : std::logic_error(fmt::format("bug in vcrit ({}): {}", function, what)) {}
 
-void ensure(bool holds, const char* what, const char* function, int line) {
-  if (!holds) throw Bug(what, function, line);
+void ensure(bool holds, const char* what, const char* function) {
+  if (!holds) throw Bug(what, function);
 }
 
 }  // namespace vcrit

@@ -11,10 +11,11 @@ import time
 import unittest
 from pathlib import Path
 
-PROJECT, PROGRAM = Path(sys.argv.pop(1)).resolve(), str(Path(sys.argv.pop(1)).resolve())
+from program import PROGRAM, example
+
 WITH_MPI = sys.argv.pop(1) == "ON"
 FAULTS = str(Path(sys.argv.pop(1)).resolve())
-ZENER = str(PROJECT / "scenes/zener.toml")
+ZENER = example("zener")
 MPIRUN = shutil.which("mpirun") or sys.exit("mpirun is missing; ./dev test installs it")
 # Some thirty blocks, long enough to be hit.
 FRICTION = [ZENER, "--over", "k1=lin:1e6:9e6:30", "--over", "amplitude=lin:0.01 um:0.6 um:20", "--over",

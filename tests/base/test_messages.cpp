@@ -43,4 +43,18 @@ BOOST_AUTO_TEST_CASE(errors_are_printable) {
   BOOST_TEST(error.what() == std::string("a\\nb:1:2: found \\x1b; expected \\xff"));
 }
 
+// A comment more above a place where something is ensured leaves the program as it is.
+BOOST_AUTO_TEST_CASE(bugs_say_their_function_and_no_line) {
+  const auto broken = [](const auto& promise) {
+    try {
+      promise();
+    } catch (const Bug& bug) {
+      return std::string(bug.what());
+    }
+    return std::string();
+  };
+  BOOST_TEST(broken([] { ensure(false, "a is b"); }) == "bug in vcrit (operator()): a is b");
+  BOOST_TEST(broken([] { throw Bug("a is b"); }) == "bug in vcrit (operator()): a is b");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

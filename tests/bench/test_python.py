@@ -6,7 +6,7 @@ import sys
 import unittest
 from pathlib import Path
 
-PROJECT, LIBRARY = Path(sys.argv.pop(1)), sys.argv.pop(1)
+PROJECT, LIBRARY = Path(__file__).resolve().parents[2], sys.argv.pop(1)
 
 
 class Benchmark(unittest.TestCase):

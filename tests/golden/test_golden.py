@@ -1,8 +1,8 @@
 """The bytes of every command's output on every scene of scenes/, as transcripts beside this file.
 
-    test_golden.py PROJECT VCRIT               compares
-    test_golden.py PROJECT VCRIT --update      takes the new output: read the difference before you commit it
-    test_golden.py PROJECT VCRIT --reports     the report of each scene, too (minutes); with --update as well
+    test_golden.py VCRIT               compares
+    test_golden.py VCRIT --update      takes the new output: read the difference before you commit it
+    test_golden.py VCRIT --reports     the report of each scene, too (minutes); with --update as well
 
 A transcript shows short outputs as they are and long ones, files among them, by size and SHA-256. Times, the
 machine and the commit are left out of reports; of pages the words count, not scripts and style. Numbers are
@@ -22,10 +22,10 @@ import unittest
 from html.parser import HTMLParser
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "languages"))
+sys.path[:0] = [str(Path(__file__).parents[1] / folder) for folder in ("languages", "support")]  # by hand
 import drivers
+from program import PROGRAM, PROJECT
 
-PROJECT, VCRIT = (Path(sys.argv.pop(1)).resolve() for _ in range(2))
 FOLDER = PROJECT / "tests/golden"
 UPDATE, REPORTS = ("--" + word in sys.argv for word in ("update", "reports"))
 ENVIRONMENT = {**os.environ, "LC_ALL": "C.UTF-8", "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2,-AVX512F"}
@@ -146,7 +146,7 @@ def transcript(command, scene=""):
     """What `vcrit COMMAND` prints and writes, as text."""
     with tempfile.TemporaryDirectory() as out:
         words = [word.replace("{scene}", f"scenes/{scene}").replace("{out}", out) for word in command.split(" ") if word]
-        done = subprocess.run([VCRIT, *words], cwd=PROJECT, env=ENVIRONMENT, capture_output=True, timeout=600)
+        done = subprocess.run([PROGRAM, *words], cwd=PROJECT, env=ENVIRONMENT, capture_output=True, timeout=600)
         clean = lambda data: data.replace(out.encode(), b"OUT")
         stdout = clean(done.stdout)
         if "--catalogue" in command or "--material" in command:

@@ -5,13 +5,13 @@ import fnmatch
 import json
 import re
 import subprocess
-import sys
 from pathlib import Path
 
 import mpmath as mp
 
+from program import PROGRAM
+
 FOLDER = Path(__file__).parent
-PROJECT, PROGRAM = Path(sys.argv.pop(1)), sys.argv.pop(1)
 KINDS = sorted(file.stem for file in (FOLDER / "kinds").glob("*.toml"))
 # v* so near to (anti)resonance is 0, or infinite by its inverse.
 TINY = mp.mpf(10)**-25

@@ -60,6 +60,12 @@ class Suites(unittest.TestCase):
         with_python = {name for name in names if name.startswith(("python/", "matrix/"))}  # where the module is built
         self.assertEqual(sorted(set(names) - set(entries()) - with_python), [])
 
+    # One that has it runs again after each change of whatever file.
+    def test_have_the_projects_folder_only_to_read_sources(self):
+        rooms = {name.split("/")[0] for name, command in entries().items() if str(PROJECT) in command}
+        self.assertIn("project", rooms)
+        self.assertLessEqual(rooms, {"consumer", "examples", "project"})
+
     # tests/support/table.hpp
     def test_count_the_rows_of_tables(self):
         self.assertTrue(reads_without_counting('std::ifstream file(VCRIT_TEST_DATA "/a.csv");'))
