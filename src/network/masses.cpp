@@ -53,6 +53,10 @@ std::vector<Symbol> masses_off_the_far_end(const Network& network) {
   return off;
 }
 
+bool hangs_on_masses(const Network& network) {
+  return has_masses(network) && !without_masses(network);
+}
+
 std::optional<Network> without_masses(const Network& network) { return without(network, is_mass); }
 
 }  // namespace vcrit

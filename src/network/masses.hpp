@@ -20,8 +20,10 @@ bool of_springs_and_dampers(const Network& network);
 /// The masses with no end at the network's second end, in the order of writing.
 std::vector<Symbol> masses_off_the_far_end(const Network& network);
 
-/// What carries a load at rest: the network without its masses. Nothing if only masses, no springs
-/// or dampers, lead from one end to the other.
+/// Only masses, no springs or dampers, lead from one end to the other.
+bool hangs_on_masses(const Network& network);
+
+/// What carries a load at rest: the network without its masses. Nothing if it hangs on masses.
 std::optional<Network> without_masses(const Network& network);
 
 }  // namespace vcrit

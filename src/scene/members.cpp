@@ -64,7 +64,7 @@ class Members {
     if (const auto off = masses_off_the_far_end(*scene_.drive); !off.empty())
       refuse(fmt::format("mass {} in the drive between two moving points", to_text(off.front())),
              "one end of each mass at the far end of the drive");
-    if (!without_masses(*scene_.drive))
+    if (hangs_on_masses(*scene_.drive))
       refuse("a drive in which only masses lead to the far end",
              "a path of springs and dampers, to balance the mean friction");
   }

@@ -18,7 +18,7 @@ void refuse_misplaced_masses(const Network& drive, const Place& place) {
         place, fmt::format("mass \"{}\" between two moving points", to_text(off.front())),
         "one end of each mass at the far end of the drive, as in \"k1 - (mass(m1) | k2)\", or at "
         "node \"ground\" of a graph");
-  if (has_masses(drive) && !without_masses(drive))
+  if (hangs_on_masses(drive))
     throw InputError(place, "a drive in which only masses lead to the far end",
                      "a path of springs and dampers, to balance the mean friction");
 }
@@ -27,7 +27,7 @@ Network without_zeros(const Network& network, const std::function<bool(const Sym
                       const std::string& role, const std::string& file) {
   auto left = with_elements(
       network, [&zero](const Element& element) { return vcrit::without_zeros(element, zero); });
-  if (!left || (has_masses(*left) && !without_masses(*left)))
+  if (!left || hangs_on_masses(*left))
     throw InputError({file}, fmt::format("a {} network that elements of value 0 cut in two", role),
                      "a path of springs and dampers above 0 between its terminals");
   return std::move(*left);
