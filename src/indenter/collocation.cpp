@@ -180,17 +180,46 @@ void Collocation::slopes(double t, const StateVector& x) {
   }
 }
 
+// Newton's change of the rates at the nodes. Sums are written out, as states have few numbers.
+void Collocation::iterate(double t, const StateVector& x, double length) {
+  const Scheme& radau = scheme();
+  const Eigen::Index n = x.size();
+  for (Eigen::Index k = 0; k < nodes_of_step; ++k) {
+    for (Eigen::Index i = 0; i < n; ++i) {
+      double sum = 0;
+      for (Eigen::Index j = 0; j < nodes_of_step; ++j)
+        sum += length * stages_(i, j) * radau.to_stages(k, j);
+      value_(i) = x(i) + sum;
+    }
+    rates_(t + length * static_cast<double>(radau.nodes[static_cast<std::size_t>(k)]), value_,
+           moved_);
+    residual_.col(k) = moved_ - stages_.col(k);
+  }
+  change_.setZero(n, nodes_of_step);
+  part_.resize(n);
+  for (std::size_t m = 0; m < factors_.size(); ++m) {
+    const Scheme::Mode& mode = radau.modes[m];
+    for (Eigen::Index i = 0; i < n; ++i) {
+      Complex sum = 0;
+      for (Eigen::Index j = 0; j < nodes_of_step; ++j) sum += residual_(i, j) * mode.part(j);
+      part_(i) = sum;
+    }
+    factors_[m].solve(part_, found_);
+    for (Eigen::Index j = 0; j < nodes_of_step; ++j)
+      for (Eigen::Index i = 0; i < n; ++i)
+        change_(i, j) +=
+            found_(i).real() * mode.vector(j).real() - found_(i).imag() * mode.vector(j).imag();
+  }
+}
+
 // The rates at the nodes, from one of the begin.
 bool Collocation::solve(double t, const StateVector& x, double length) {
   const Scheme& radau = scheme();
   const Eigen::Index n = x.size();
   // A step's equations for all stages fall apart into those of the modes.
-  std::vector<linear::Lu<Complex>> factors;
-  for (const Scheme::Mode& mode : radau.modes) {
-    Eigen::MatrixXcd system = -length * mode.value * jacobian_;
-    system.diagonal().array() += 1;
-    factors.emplace_back(system);
-  }
+  factors_.resize(radau.modes.size());
+  for (std::size_t j = 0; j < factors_.size(); ++j)
+    factors_[j].factorise(jacobian_, length * radau.modes[j].value);
   const auto size_of_state = static_cast<std::size_t>(n);
   effort_.spend(Effort::of_products(size_of_state * size_of_state *
                                     (products_of_factors * size_of_state + products_of_rates)));
@@ -199,17 +228,7 @@ bool Collocation::solve(double t, const StateVector& x, double length) {
   residual_.resize(n, nodes_of_step);
   double before = infinity;
   for (int k = 0; k < most_iterations; ++k) {
-    for (int i = 0; i < nodes_of_step; ++i) {
-      value_ = x + length * (stages_ * radau.to_stages.row(i).transpose());
-      rates_(t + length * static_cast<double>(radau.nodes[static_cast<std::size_t>(i)]), value_,
-             moved_);
-      residual_.col(i) = moved_ - stages_.col(i);
-    }
-    change_.setZero(n, nodes_of_step);
-    for (std::size_t j = 0; j < factors.size(); ++j) {
-      const Scheme::Mode& mode = radau.modes[j];
-      change_ += (factors[j].solve(Eigen::VectorXcd(residual_ * mode.part)) * mode.vector).real();
-    }
+    iterate(t, x, length);
     stages_ += change_;
     const double size = length * change_.lpNorm<Eigen::Infinity>();
     if (!std::isfinite(size)) return false;

@@ -5,8 +5,10 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <vector>
 
 #include "base/effort.hpp"
+#include "indenter/shifted_lu.hpp"
 
 namespace vcrit::indenter {
 
@@ -50,6 +52,7 @@ class Collocation {
 
  private:
   bool solve(double t, const StateVector& x, double length);
+  void iterate(double t, const StateVector& x, double length);
   void slopes(double t, const StateVector& x);
   double fault(double length) const;
 
@@ -59,6 +62,8 @@ class Collocation {
   /// stages_: rates at the nodes, one a column, as residual_ and change_ are.
   Eigen::MatrixXd jacobian_, stages_, residual_, change_;
   StateVector value_, rate_, moved_;
+  std::vector<ShiftedLu> factors_;  ///< of the equations that a step's fall apart into
+  Eigen::VectorXcd part_, found_;   ///< of one of them
 };
 
 }  // namespace vcrit::indenter

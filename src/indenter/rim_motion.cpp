@@ -297,7 +297,7 @@ void RimMotion::pass_kink() {
     if (was_clear) return;
     return now_clear();
   }
-  const double v = speed(t_, state_), rate = contact_.depth_rate(t_);
+  const double v = speed(contact_.at(t_), state_), rate = contact_.depth_rate(t_);
   if (v >= rate) return go_on(RimMode::forward);
   clear_no_longer();
   go_on(v > -rate ? RimMode::stick : RimMode::backward);

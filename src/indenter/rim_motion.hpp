@@ -55,9 +55,10 @@ class RimMotion {
   const Shown& shown() const { return shown_; }
   void show_anew() { shown_ = {}; }
 
-  /// Of the body, at a time and state of a step.
-  double speed(double t, const StateVector& state) const {
-    return holder_.mass > 0 ? velocity_ - state(0) : speed(contact_.at(t), state);
+  /// Of the body, at a time of a step.
+  double speed(double t, const TimeStep& step) const {
+    return holder_.mass > 0 ? velocity_ - step.with_rate(t, 0).value
+                            : speed(contact_.at(t), step.at(t));
   }
   /// Those of a motion that always slides, from start() on.
   const std::vector<TimeStep>& kept() const { return kept_; }

@@ -64,7 +64,7 @@ void Sliding::find() {
 }
 
 double Sliding::rise(double t, const TimeStep& step) const {
-  return contact_.depth_rate(t) - motion_.speed(t, step.at(t));
+  return contact_.depth_rate(t) - motion_.speed(t, step);
 }
 
 // The largest of samples, then by thirds, to where the maximum is flat.
