@@ -90,7 +90,7 @@ class LanguageFiles {
         if (length == Length::very_large && tried) break;
         if (length == Length::very_large)
           tool.compile.insert(tool.compile.end(), row.quick.begin(), row.quick.end());
-        if (run(tool.present).status != 0) {
+        if (!is_present(tool.present, folder_.path())) {
           BOOST_TEST(tool.is_optional, missing_tool(tool.label));
           continue;
         }

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -78,9 +79,18 @@ inline std::string missing_tool(const std::string& name) {
   return name + " is missing or does not run; ./dev test installs it";
 }
 
+/// Whether a command that tells of a program succeeds; each is run once.
+inline bool is_present(const std::vector<std::string>& command,
+                       const std::filesystem::path& folder) {
+  static std::map<std::vector<std::string>, bool> known;
+  const auto [place, is_new] = known.try_emplace(command);
+  if (is_new) place->second = run(command, folder).status == 0;
+  return place->second;
+}
+
 /// Throws where a program does not run that all tests may count on.
 inline void require_tool(const std::string& name, const std::filesystem::path& folder) {
-  if (run({name, "--version"}, folder).status != 0) throw std::runtime_error(missing_tool(name));
+  if (!is_present({name, "--version"}, folder)) throw std::runtime_error(missing_tool(name));
 }
 
 }  // namespace vcrit::test
