@@ -165,6 +165,9 @@ def _dd_nonzero(a, b):
 #: ties
 
 
+from functools import lru_cache
+
+
 def _plain_gap(gaps, re, im):  # edges that are 0, as bits
     return 2.0 * gaps + ((re == 0.0) & (im == 0.0))
 
@@ -175,32 +178,33 @@ def _dd_gap(gaps, re, im):
 
 # Gaps may leave parts that nothing holds. They carry no load: one gap that leads to each becomes an edge of stiffness 1
 # (1), its other gaps are none for good (0), and all other edges stay as they are (-1). `wiring`: two nodes an edge.
-def _tie(wiring, gaps, edge):
-    if not np.any(gaps):
-        return -1.0
+@lru_cache(10000)
+def _ties(wiring, gaps):
     n = len(wiring) // 2
     ends = [1 << ord(wiring[2 * i]) - 97 | 1 << ord(wiring[2 * i + 1]) - 97 for i in range(n)]
-    is_gap = [np.floor(gaps / 2.0 ** (n - 1 - i)) % 2.0 == 1.0 for i in range(n)]
+    is_gap = [gaps >> n - 1 - i & 1 for i in range(n)]
 
-    def leads_on(i, held):
-        return (ends[i] & held != 0) & (ends[i] & ~held != 0)
+    def leading_on(held, gap):
+        return next((i for i in range(n) if is_gap[i] == gap and ends[i] & held and ends[i] & ~held), None)
 
     def connected(held):
-        for i in [*range(n)] * n:
-            held = np.where(~is_gap[i] & leads_on(i, held), held | ends[i], held)
+        while (i := leading_on(held, 0)) is not None:
+            held |= ends[i]
         return held
 
-    held = connected(np.int64(3))  # the terminals, and what edges and ties connect with them
-    kind = np.where(is_gap[edge] & (ends[edge] & ~held != 0), 0.0, -1.0)
-    for _ in range(len(set(wiring)) - 2):
-        done = False
-        for i in range(n):
-            new = is_gap[i] & leads_on(i, held) & ~np.asarray(done)
-            kind = np.where(new & (i == edge), 1.0, kind)
-            held = np.where(new, held | ends[i], held)
-            done = done | new
-        held = connected(held)
-    return kind
+    held = connected(3)  # the terminals, and what edges and ties connect with them
+    kinds = [0.0 if is_gap[i] and ends[i] & ~held else -1.0 for i in range(n)]
+    while (i := leading_on(held, 1)) is not None:
+        kinds[i] = 1.0
+        held = connected(held | ends[i])
+    return kinds
+
+
+def _tie(wiring, gaps, edge):  # few of many rows have gaps of their own
+    if not np.any(gaps):
+        return -1.0
+    values, places = np.unique(gaps, return_inverse=True)
+    return np.array([_ties(wiring, int(each))[edge] for each in values])[places].reshape(np.shape(gaps))
 
 
 def _plain_tied(a, kind, otherwise):
