@@ -78,6 +78,33 @@ void check_values(const Tool& tool, const std::vector<Call>& calls) {
   BOOST_TEST(known * 3 >= calls.size() * 2);
 }
 
+/// By the library of a scene of springs kn, kt and kd and a mass.
+void check_resonance_antiresonance_and_nothing(const Files& files, const Tool& tool,
+                                               std::size_t library, const Scene& shape) {
+  const auto with = [&](double kn, double mass) {
+    Call call;
+    call.library = library;
+    call.scene = shape;
+    call.scene.coefficient.value = call.scene.angular_frequency.value = 1.0;
+    call.scene.amplitude.value = call.scene.indentation.value = 1.0;
+    call.scene.elements = {{{"kn"}, kn}, {{"kt"}, 1.0}, {{"kd"}, 3.0}};
+    call.scene.mass->value = mass;
+    return call;
+  };
+  std::vector<Call> all{with(1, 3), with(1, 4), with(1, 2), with(0x1p-800, 2)};
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  files.evaluate(tool, all);
+  BOOST_TEST(all[0].value() == inf);
+  BOOST_TEST(all[0].bound() == inf);
+  BOOST_TEST(all[1].value() == 0.0);
+  BOOST_TEST(all[1].bound() == inf);
+  // kn/kt (kt + kd - m)/(kd - m) = 2 kn
+  BOOST_TEST(all[2].value() == 2.0);
+  BOOST_TEST(all[2].fast_value() == 2.0);
+  BOOST_TEST(all[3].value() == 0x1p-799);
+  BOOST_TEST(std::isfinite(all[3].bound()) == tool.wide);
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(values_and_bounds_hold) {
@@ -98,6 +125,7 @@ BOOST_AUTO_TEST_CASE(values_and_bounds_hold) {
   files.with_each_tool([&](const Tool& tool) {
     files.evaluate(tool, all);
     check_values(tool, all);
+    check_resonance_antiresonance_and_nothing(files, tool, 1, shapes[1]);
     files.evaluate(tool, smooth);
     for (std::size_t i = 0; i < smooth.size(); ++i) {
       const Call& call = smooth[i];
@@ -169,34 +197,6 @@ BOOST_AUTO_TEST_CASE(bounds_hold_for_every_size_of_value) {
     BOOST_TEST(certified > (tool.wide ? 50 : 10));
   };
   files.with_each_tool(hold, Files::Length::large);
-}
-
-BOOST_AUTO_TEST_CASE(resonance_antiresonance_and_nothing) {
-  const std::vector<Scene> shapes{scene_of("normal = \"kn\"\ntangential = \"kt\"", "kd", "m")};
-  const auto with = [&](double kn, double mass) {
-    Call call;
-    call.scene = shapes[0];
-    call.scene.coefficient.value = call.scene.angular_frequency.value = 1.0;
-    call.scene.amplitude.value = call.scene.indentation.value = 1.0;
-    call.scene.elements = {{{"kn"}, kn}, {{"kt"}, 1.0}, {{"kd"}, 3.0}};
-    call.scene.mass->value = mass;
-    return call;
-  };
-  std::vector<Call> all{with(1, 3), with(1, 4), with(1, 2), with(0x1p-800, 2)};
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  const Files files(shapes);
-  files.with_each_tool([&](const Tool& tool) {
-    files.evaluate(tool, all);
-    BOOST_TEST(all[0].value() == inf);
-    BOOST_TEST(all[0].bound() == inf);
-    BOOST_TEST(all[1].value() == 0.0);
-    BOOST_TEST(all[1].bound() == inf);
-    // kn/kt (kt + kd - m)/(kd - m) = 2 kn
-    BOOST_TEST(all[2].value() == 2.0);
-    BOOST_TEST(all[2].fast_value() == 2.0);
-    BOOST_TEST(all[3].value() == 0x1p-799);
-    BOOST_TEST(std::isfinite(all[3].bound()) == tool.wide);
-  });
 }
 
 BOOST_AUTO_TEST_CASE(a_missing_tool_is_no_success) {

@@ -2,6 +2,9 @@
 // optimisation levels, and its CMake project builds and tests it.
 #include <boost/test/unit_test.hpp>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "derivation/scenes.hpp"
 #include "emit/library.hpp"
 
@@ -39,28 +42,44 @@ std::string build_and_test(const test::PrivateFolder& folder,
   return last;
 }
 
+std::string name_of(std::size_t library) { return fmt::format("library_{}", library); }
+
+/// One program of so many libraries' own tests, each in a namespace of its own.
+std::string tests_together(std::size_t count) {
+  std::string headers = "#include <cstdio>\n", tests, calls;
+  for (std::size_t i = 0; i < count; ++i) {
+    headers += fmt::format("#include \"{}_batch.hpp\"\n", name_of(i));
+    tests += fmt::format("namespace test_{} {{\n#include \"test_{}.cpp\"\n}}\n", i, name_of(i));
+    calls += fmt::format("  if (test_{}::main() == 0) std::puts(\"{} passes\");\n", i, name_of(i));
+  }
+  return headers + tests + "int main() {\n" + calls + "}\n";
+}
+
+/// Compiles them by the command's words.
+void pass(const test::PrivateFolder& folder, std::size_t count, std::vector<std::string> command) {
+  const std::string source = (folder.path() / "tests.cpp").string();
+  const std::string program = (folder.path() / "program").string();
+  write_file(source, tests_together(count));
+  command.insert(command.end(), test::strict_flags.begin(), test::strict_flags.end());
+  command.insert(command.end(), {"-o", program, source});
+  const test::Outcome built = test::run(command, folder.path());
+  BOOST_REQUIRE_MESSAGE(built.status == 0, built.output);
+  const test::Outcome outcome = test::run({program}, folder.path());
+  for (std::size_t i = 0; i < count; ++i)
+    BOOST_TEST(outcome.output.find(name_of(i) + " passes\n") != std::string::npos,
+               fmt::format("{} {}", name_of(i), fmt::join(command, " ")) << outcome.output);
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(its_own_test_passes) {
-  int number = 0;
-  for (const Scene& scene : scenes()) {
-    const test::PrivateFolder folder;
-    symbolic::generate(symbolic::derive(scene), folder.path(), "library");
-    const std::string program = (folder.path() / "program").string();
-    for (const std::string& compiler : test::compilers(folder))
-      for (const char* level : {"-O0", "-O3"}) {
-        std::vector<std::string> command{
-            compiler, level,   "-march=native",
-            "-o",     program, (folder.path() / "test_library.cpp").string()};
-        command.insert(command.end(), test::strict_flags.begin(), test::strict_flags.end());
-        const test::Outcome built = test::run(command, folder.path());
-        BOOST_REQUIRE_MESSAGE(built.status == 0, built.output);
-        const test::Outcome outcome = test::run({program}, folder.path());
-        BOOST_TEST(outcome.status == 0,
-                   "scene " << number << " " << compiler << " " << level << ": " << outcome.output);
-      }
-    ++number;
-  }
+  const test::PrivateFolder folder;
+  const std::vector<Scene> all = scenes();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    symbolic::generate(symbolic::derive(all[i]), folder.path(), name_of(i));
+  for (const std::string& compiler : test::compilers(folder))
+    for (const char* level : {"-O0", "-O3"})
+      pass(folder, all.size(), {compiler, level, "-march=native"});
 }
 
 BOOST_AUTO_TEST_CASE(all_files_of_all_languages_come_from_one_derivation) {
@@ -75,20 +94,13 @@ BOOST_AUTO_TEST_CASE(all_files_of_all_languages_come_from_one_derivation) {
 }
 
 BOOST_AUTO_TEST_CASE(its_own_test_passes_with_fixed_parameters) {
-  const Scene scene = read_scene(VCRIT_SCENES "/prony.toml");
-  for (const std::vector<std::string>& fixed :
-       {std::vector<std::string>{"all"}, {"k", "tau[3]"}, {"tau"}}) {
-    const test::PrivateFolder folder;
-    symbolic::generate(symbolic::derive(scene), folder.path(), "library", {fixed, true});
-    const std::string program = (folder.path() / "program").string();
-    std::vector<std::string> command{test::compilers(folder).front(), "-o", program,
-                                     (folder.path() / "test_library.cpp").string()};
-    command.insert(command.end(), test::strict_flags.begin(), test::strict_flags.end());
-    const test::Outcome built = test::run(command, folder.path());
-    BOOST_REQUIRE_MESSAGE(built.status == 0, built.output);
-    const test::Outcome outcome = test::run({program}, folder.path());
-    BOOST_TEST(outcome.status == 0, fixed.front() << ": " << outcome.output);
-  }
+  const symbolic::Derivation derivation =
+      symbolic::derive(read_scene(VCRIT_SCENES "/prony.toml"));
+  const std::vector<std::vector<std::string>> choices{{"all"}, {"k", "tau[3]"}, {"tau"}};
+  const test::PrivateFolder folder;
+  for (std::size_t i = 0; i < choices.size(); ++i)
+    symbolic::generate(derivation, folder.path(), name_of(i), {choices[i], true});
+  pass(folder, choices.size(), {test::compilers(folder).front()});
 }
 
 BOOST_AUTO_TEST_CASE(its_own_test_can_fail) {
