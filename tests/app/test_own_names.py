@@ -75,6 +75,7 @@ class OwnNames(Case):
                     ("prony(NAME, k, tau)", {"k": [3e6, 1e6], "tau": [1e-5, 2e-5]})]
         names = [["kappa_k1", "theta_d1", "kappa_kt", "theta_ct", "kappa_kd", "beta_m"],
                  ["kappa_k", "theta_tau", "kappa_kt", "theta_kt"]]
+        includes = ""
         for (network, values), each in zip(networks, names):
             for name in each:
                 elements = dict(values, kt=2e6, ct=9.0, kd=1e6, **{name: 7e5})
@@ -94,8 +95,11 @@ class OwnNames(Case):
                         self.assertNotIn(left, known, text)
                         known[left] = value
                     self.assertAlmostEqual(abs(known["v*"]) / self.value(), 1, delta=1e-13)
-                    self.out("generate", "s.toml", "--out", ".", "--name", "g", "--quantities")
-                    subprocess.run(["g++", "-std=c++20", "-fsyntax-only", "g_quantities.hpp"], cwd=self.folder, check=True)
+                    self.out("generate", "s.toml", "--out", ".", "--name", f"own_{name}", "--quantities")
+                    includes += f'#include "own_{name}_quantities.hpp"\n'
+        self.assertEqual(includes.count("\n"), sum(map(len, names)))
+        self.write(includes, "all.cpp")
+        subprocess.run(["g++", "-std=c++20", "-fsyntax-only", "all.cpp"], cwd=self.folder, check=True)
 
     def test_generated_code_for_all_of_them(self):
         calls, includes, expected = [], [], []

@@ -88,7 +88,8 @@ BOOST_AUTO_TEST_CASE(values_and_bounds_hold) {
 // The bound counts roundings to the nearest, half a unit each; other modes lose up to a unit.
 BOOST_AUTO_TEST_CASE(twice_the_bound_holds_however_the_processor_rounds) {
   const std::vector<MassDrive> drives = test::mass_drives();
-  const test::Libraries libraries(scenes_of(drives));
+  // As for gradients below: compiled once.
+  const test::Libraries libraries(scenes_of(drives), Asked::values_and_gradients);
   const std::vector<MassCase> cases = test::mass_cases(drives, seed + 3, 3);
   std::vector<Call> calls;
   for (const MassCase& each : cases) {
