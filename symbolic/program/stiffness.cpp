@@ -76,14 +76,31 @@ Stiffness StiffnessWriter::fold(std::span<const Network> parts, Combine combine)
   if (parts.size() == 1) return write(parts.front());
   const std::size_t half = parts.size() / 2;
   const Stiffness first = fold(parts.first(half), combine);
-  return (this->*combine)(first, fold(parts.subspan(half), combine));
+  const Stiffness second = fold(parts.subspan(half), combine);
+  if (polynomials_ && (first.roundings || second.roundings)) return no_polynomials();
+  const Stiffness whole = (this->*combine)(first, second);
+  return polynomials_ && is_too_long(whole) ? no_polynomials() : whole;
 }
 
-std::optional<Stiffness> StiffnessWriter::write_polynomials(const Network& network) {
+/// No part of a network has longer polynomials than the whole.
+bool StiffnessWriter::is_too_long(const Stiffness& k) const {
+  return std::max(k.t.coefficients.size(), k.q.coefficients.size()) > longest_;
+}
+
+/// Any roundings at run time say so.
+Stiffness StiffnessWriter::no_polynomials() {
+  Stiffness none;
+  none.roundings = program_.constant(0);
+  return none;
+}
+
+std::optional<Stiffness> StiffnessWriter::write_polynomials(const Network& network,
+                                                            std::size_t longest) {
   polynomials_ = true;
+  longest_ = longest;
   const Stiffness k = write(network);
   polynomials_ = false;
-  if (k.roundings) return std::nullopt;
+  if (k.roundings || is_too_long(k)) return std::nullopt;
   return k;
 }
 
@@ -304,12 +321,7 @@ Stiffness StiffnessWriter::graph(const Graph& graph) {
                                   [](const Stiffness& part) { return part.roundings.has_value(); });
   if (known)
     if (const auto whole = by_spanning_trees(program_, graph, parts, zeros_)) return *whole;
-  if (polynomials_) {  // none: any roundings at run time say so
-    Stiffness none;
-    none.roundings = program_.constant(0);
-    return none;
-  }
-  return meshed(graph, parts);
+  return polynomials_ ? no_polynomials() : meshed(graph, parts);
 }
 
 Stiffness StiffnessWriter::meshed(const Graph& graph, const std::vector<Stiffness>& parts) {

@@ -77,8 +77,8 @@ class StiffnessWriter {
   /// positive and the roots are real and negative, so that the terms' absolute values add up to at
   /// most 2^(n/2) times the polynomial's. Guards are of the parameters as they are, ranges those of
   /// ordinary devices.
-  /// Nothing for a graph that needs too many spanning trees.
-  std::optional<Stiffness> write_polynomials(const Network& network);
+  /// Nothing for a graph that needs too many spanning trees, nor for more than `longest` coefficients.
+  std::optional<Stiffness> write_polynomials(const Network& network, std::size_t longest);
   /// T and Q times a common power of two that brings the larger one near 1.
   Stiffness normalised(const Stiffness& k);
   /// The range of an expression that is checked or, a constant, known.
@@ -96,6 +96,8 @@ class StiffnessWriter {
   Stiffness parallel(Stiffness a, Stiffness b);
   Stiffness series(Stiffness a, Stiffness b);
   Stiffness graph(const Graph& graph);
+  bool is_too_long(const Stiffness& k) const;
+  Stiffness no_polynomials();
   Stiffness meshed(const Graph& graph, const std::vector<Stiffness>& parts);
   std::optional<NodeId> sum_of_roundings(const Stiffness& a, const Stiffness& b);
   void fit_products(Stiffness& a, Stiffness& b);
@@ -108,6 +110,7 @@ class StiffnessWriter {
   std::vector<Guard> guards_;
   std::function<void(NodeId)> guard_ = [this](NodeId size) { guarded(size); };
   bool polynomials_ = false;
+  std::size_t longest_ = 0;  ///< of polynomials
 };
 
 }  // namespace vcrit::symbolic

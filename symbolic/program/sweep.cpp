@@ -115,12 +115,11 @@ class SweepWriter {
   void leave_out() { result_.fits = false; }
 
   Stiffness network(const Network& network) {
-    const auto k = stiffness_.write_polynomials(network);
+    const auto k = stiffness_.write_polynomials(network, longest_polynomial);
     if (!k) {
       result_.fits = false;
       return {};
     }
-    result_.fits = result_.fits && is_short(k->t) && is_short(k->q);
     // Where it does not fit, powers of the usual omega need not be doubles either.
     const bool scaled = result_.fits && normalised_ && !is_one(program_, k->q);
     return scaled ? scaled_at_usual_omega(*k) : *k;
