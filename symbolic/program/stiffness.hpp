@@ -77,7 +77,8 @@ class StiffnessWriter {
   /// positive and the roots are real and negative, so that the terms' absolute values add up to at
   /// most 2^(n/2) times the polynomial's. Guards are of the parameters as they are, ranges those of
   /// ordinary devices.
-  /// Nothing for a graph that needs too many spanning trees, nor for more than `longest` coefficients.
+  /// Nothing for a graph that needs too many spanning trees, nor for more than `longest`
+  /// coefficients.
   std::optional<Stiffness> write_polynomials(const Network& network, std::size_t longest);
   /// T and Q times a common power of two that brings the larger one near 1.
   Stiffness normalised(const Stiffness& k);

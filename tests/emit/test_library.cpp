@@ -94,8 +94,7 @@ BOOST_AUTO_TEST_CASE(all_files_of_all_languages_come_from_one_derivation) {
 }
 
 BOOST_AUTO_TEST_CASE(its_own_test_passes_with_fixed_parameters) {
-  const symbolic::Derivation derivation =
-      symbolic::derive(read_scene(VCRIT_SCENES "/prony.toml"));
+  const symbolic::Derivation derivation = symbolic::derive(read_scene(VCRIT_SCENES "/prony.toml"));
   const std::vector<std::vector<std::string>> choices{{"all"}, {"k", "tau[3]"}, {"tau"}};
   const test::PrivateFolder folder;
   for (std::size_t i = 0; i < choices.size(); ++i)
