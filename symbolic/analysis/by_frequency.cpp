@@ -1,17 +1,12 @@
 #include "analysis/by_frequency.hpp"
 
-#include <map>
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "analysis/abbreviated.hpp"
-#include "derivation/model.hpp"
-#include "formula/rational.hpp"
 #include "formula/symbols.hpp"
 #include "network/polynomial.hpp"
-#include "polynomial/network_polynomials.hpp"
+#include "polynomial/symbol_ring.hpp"
 
 namespace vcrit::symbolic {
 
@@ -21,46 +16,6 @@ using GiNaC::ex;
 
 // Longer ones are not read.
 constexpr std::size_t most_terms_by_frequency = 100;
-
-using SymbolsByName = std::map<std::string, ex>;
-
-SymbolsByName symbols_by_name(const ex& expression) {
-  SymbolsByName all;
-  for (const ex& each : free_symbols(expression))
-    all.emplace(GiNaC::ex_to<GiNaC::symbol>(each).get_name(), each);
-  return all;
-}
-
-std::vector<std::string> names_of(const SymbolsByName& symbols) {
-  std::vector<std::string> names;
-  for (const auto& [name, symbol] : symbols) names.push_back(name);
-  return names;
-}
-
-/// For evaluate_rational(), of what has integer coefficients and no denominator.
-struct PolynomialAlgebra {
-  using Value = Polynomial;
-  const Ring& ring;
-
-  Value number(const GiNaC::numeric& integer) const { return integer_polynomial(ring, integer); }
-  Value name(const std::string& name) const { return Polynomial::variable(ring, name); }
-  static Value add(const Value& a, const Value& b) { return a + b; }
-  static Value multiply(const Value& a, const Value& b) { return a * b; }
-  static Value invert(const Value&) { throw std::logic_error("no polynomial"); }
-};
-
-ex sum_of_polynomial(const Polynomial& polynomial, const SymbolsByName& symbols) {
-  GiNaC::exvector terms;
-  for (std::size_t i = 0; i < polynomial.terms(); ++i) {
-    ex term = GiNaC::numeric(polynomial.coefficient(i).c_str());
-    const std::vector<unsigned long> exponents = polynomial.exponents(i);
-    std::size_t at = 0;
-    for (const auto& [name, symbol] : symbols)
-      term *= GiNaC::pow(symbol, static_cast<int>(exponents[at++]));
-    terms.push_back(term);
-  }
-  return GiNaC::add(terms);
-}
 
 /// number * product(base^exponent)
 struct FactoredSum {
@@ -73,13 +28,11 @@ FactoredSum factored_sum(const ex& sum) {
                                      ? GiNaC::numeric(1)
                                      : GiNaC::ex_to<GiNaC::numeric>(sum.integer_content());
   const ex whole = (sum / content).expand();
-  const SymbolsByName symbols = symbols_by_name(whole);
-  const Ring ring(names_of(symbols));
-  const FactoredPolynomial found =
-      polynomial_factors(evaluate_rational(whole, PolynomialAlgebra{ring}));
+  const SymbolRing ring({whole});
+  const FactoredPolynomial found = polynomial_factors(ring.polynomial(whole));
   FactoredSum result{content * GiNaC::numeric(found.constant.c_str()), {}};
   for (const auto& [factor, exponent] : found.factors)
-    result.powers.emplace_back(sum_of_polynomial(factor, symbols), static_cast<int>(exponent));
+    result.powers.emplace_back(ring.sum(factor), static_cast<int>(exponent));
   return result;
 }
 

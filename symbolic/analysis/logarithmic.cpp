@@ -1,9 +1,11 @@
 #include "analysis/logarithmic.hpp"
 
+#include <utility>
 #include <vector>
 
 #include "derivation/factors.hpp"
 #include "formula/text.hpp"
+#include "polynomial/symbol_ring.hpp"
 
 namespace vcrit::symbolic {
 
@@ -49,13 +51,19 @@ class LogarithmicSum {
     const ex base = power.base.expand();
     numerator_ = numerator_ * base + power.exponent * slope * product_;
     product_ *= base;
-    bases_.push_back(power.base);
+    bases_.push_back({power.base, base});
+  }
+
+  void add(const LogarithmicSum& other) {
+    numerator_ = numerator_ * other.product_ + other.numerator_ * product_;
+    product_ *= other.product_;
+    bases_.insert(bases_.end(), other.bases_.begin(), other.bases_.end());
   }
 
   /// How many terms there are before like ones are put together.
   double size() const {
     double size = 1;
-    for (const ex& base : bases_) size *= static_cast<double>(terms(base.expand()));
+    for (const auto& [base, expanded] : bases_) size *= static_cast<double>(terms(expanded));
     return size;
   }
 
@@ -64,15 +72,14 @@ class LogarithmicSum {
   ex value() const {
     Factors over;
     ex rest = numerator(), under = 1;
-    for (const ex& base : bases_) {
-      ex rest_left, base_left;
-      const ex common = GiNaC::gcd(rest, base.expand(), &rest_left, &base_left);
-      if (GiNaC::is_a<GiNaC::numeric>(common)) {
+    for (const auto& [base, expanded] : bases_) {
+      const CommonFactor shared = common_factor(rest, expanded);
+      if (GiNaC::is_a<GiNaC::numeric>(shared.common)) {
         under *= base;
         continue;
       }
-      rest = rest_left.expand();
-      over.multiply(base_left.expand(), -1);
+      rest = shared.a_left;
+      over.multiply(shared.b_left, -1);
     }
     over.multiply(rest, 1);
     over.cancel();
@@ -89,7 +96,7 @@ class LogarithmicSum {
   }
 
   ex x_, numerator_ = 0, product_ = 1;
-  std::vector<ex> bases_;
+  std::vector<std::pair<ex, ex>> bases_;  ///< as they are, and expanded
   const std::vector<Line>& letters_;
 };
 
@@ -107,9 +114,9 @@ std::optional<ex> logarithmic_derivative(const ex& f, const ex& x,
   LogarithmicSum whole(x, letters);
   ex sum = 0;
   for (const Power& power : powers) {
-    whole.add(power);
     LogarithmicSum alone(x, letters);
     alone.add(power);
+    whole.add(alone);
     if (terms(alone.numerator()) > readable_derivative_terms) return std::nullopt;
     sum += alone.value();
   }

@@ -5,6 +5,7 @@
 #include "base/errors.hpp"
 #include "formula/form.hpp"
 #include "formula/symbols.hpp"
+#include "polynomial/symbol_ring.hpp"
 
 namespace vcrit::symbolic {
 
@@ -141,13 +142,10 @@ void Factors::multiply(const ex& polynomial, int exponent) {
                    [](const auto& e) { return is_ratio(e.second); }))
     return put(rest, exponent);
   // What depends on Poisson's ratio alone, 1 - nu, comes out of (1 - nu)(k - m omega^2).
-  for (const auto& [name, symbol] : symbols) {
-    if (is_ratio(symbol)) continue;
-    const ex content = rest.content(symbol);
-    if (GiNaC::is_a<GiNaC::numeric>(content) || !GiNaC::divide(rest, content, rest)) continue;
-    put(content.expand(), exponent);
-  }
-  put(rest.expand(), exponent);
+  std::vector<ex> others;
+  for (const auto& [name, symbol] : symbols)
+    if (!is_ratio(symbol)) others.push_back(symbol);
+  for (const ex& factor : split_by(rest, others)) put(factor, exponent);
 }
 
 void Factors::put(ex polynomial, int exponent) {
@@ -176,11 +174,10 @@ void Factors::cancel() {
   under_.clear();
   for (ex above : over) {
     for (ex& below : under) {
-      ex above_left, below_left;
-      const ex common = GiNaC::gcd(above, below, &above_left, &below_left);
-      if (GiNaC::is_a<GiNaC::numeric>(common)) continue;
-      above = above_left.expand();
-      below = below_left.expand();
+      const CommonFactor shared = common_factor(above, below);
+      if (GiNaC::is_a<GiNaC::numeric>(shared.common)) continue;
+      above = shared.a_left;
+      below = shared.b_left;
     }
     multiply(above, 1);
   }

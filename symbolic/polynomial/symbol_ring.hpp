@@ -1,0 +1,43 @@
+// GiNaC's polynomials as FLINT's and back. FLINT finds common factors in a small part of the time
+// that GiNaC takes.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "network/polynomial.hpp"
+
+namespace vcrit::symbolic {
+
+/// The symbols of some expressions as variables, in the order of their names.
+class SymbolRing {
+ public:
+  explicit SymbolRing(const std::vector<GiNaC::ex>& expressions);
+
+  /// Of an expanded polynomial in these symbols with integer coefficients.
+  Polynomial polynomial(const GiNaC::ex& expanded) const;
+  GiNaC::ex sum(const Polynomial& polynomial) const;
+
+ private:
+  std::size_t index(const GiNaC::ex& symbol) const;
+
+  std::vector<GiNaC::ex> symbols_;
+  Ring ring_;
+};
+
+/// a = common * a_left, b = common * b_left; all of them multiplied out.
+struct CommonFactor {
+  GiNaC::ex common, a_left, b_left;
+};
+/// Of two expanded polynomials with rational coefficients.
+CommonFactor common_factor(const GiNaC::ex& a, const GiNaC::ex& b);
+
+/// The factors of an expanded polynomial with rational coefficients that lack the first of these
+/// symbols, of what is left those that lack the second, ..., and at the end what is left: their
+/// product is the polynomial.
+std::vector<GiNaC::ex> split_by(const GiNaC::ex& polynomial, const std::vector<GiNaC::ex>& symbols);
+
+}  // namespace vcrit::symbolic
