@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include "base/errors.hpp"
@@ -219,6 +220,33 @@ Signed call_form(const GiNaC::ex& call) {
   return {false, {Form::Kind::call, name, {}, {}, {std::move(argument)}, 1}};
 }
 
+/// The sign of a number, symbol or power of one, or of a product of such.
+std::optional<bool> plain_minus(const GiNaC::ex& term) {
+  if (GiNaC::is_a<GiNaC::numeric>(term)) {
+    const auto& number = GiNaC::ex_to<GiNaC::numeric>(term);
+    return number.is_real() ? std::optional(number.is_negative()) : std::nullopt;
+  }
+  if (GiNaC::is_a<GiNaC::symbol>(term)) return false;
+  if (GiNaC::is_a<GiNaC::power>(term) && GiNaC::is_a<GiNaC::symbol>(term.op(0))) return false;
+  if (!GiNaC::is_a<GiNaC::mul>(term)) return std::nullopt;
+  bool minus = false;
+  for (const GiNaC::ex& factor : term) {
+    const std::optional<bool> part = plain_minus(factor);
+    if (!part) return std::nullopt;
+    minus = minus != *part;
+  }
+  return minus;
+}
+
+/// The sign of all terms where it is one: it needs no order of terms then.
+std::optional<bool> minus_of_all(const GiNaC::ex& expression) {
+  if (!GiNaC::is_a<GiNaC::add>(expression)) return plain_minus(expression);
+  const std::optional<bool> first = plain_minus(expression.op(0));
+  for (const GiNaC::ex& term : expression)
+    if (!first || plain_minus(term) != first) return std::nullopt;
+  return first;
+}
+
 }  // namespace
 
 Signed form_of(const GiNaC::ex& expression) {
@@ -244,6 +272,7 @@ bool holds_sum(const Form& form) {
 }
 
 bool leads_with_minus(const GiNaC::ex& expression) {
+  if (const std::optional<bool> minus = minus_of_all(expression)) return *minus;
   const Signed form = form_of(expression);
   return form.form.kind == Form::Kind::sum ? form.form.terms.front().minus : form.minus;
 }
