@@ -271,18 +271,28 @@ std::vector<ExNode> nodes_of(const Expressions& all, ExNode whole) {
   return order;
 }
 
-void for_each_move(Expressions& all, const Ex& whole, const std::function<bool(const Ex&)>& visit) {
-  const std::vector<ExNode> order = nodes_of(all, whole.node);
-  Alternatives alternatives(all);
-  Replacing replacing(all, order);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const std::vector<Ex> others = alternatives.of(order[i]);
-    for (const Ex& other : others) {
+const Moves::Found& Moves::alternatives(ExNode node) {
+  const auto [known, is_new] = known_.try_emplace(node);
+  Found& found = known->second;
+  if (!is_new) {
+    all_.spend(found.work);
+    return found;
+  }
+  const std::size_t before = all_.work();
+  found.others = Alternatives(all_).of(node);
+  found.work = all_.work() - before;
+  return found;
+}
+
+void Moves::for_each(const Ex& whole, const std::function<bool(const Ex&)>& visit) {
+  const std::vector<ExNode> order = nodes_of(all_, whole.node);
+  Replacing replacing(all_, order);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (const Ex& other : alternatives(order[i]).others) {
       const Ex moved = replacing(whole, i, other);
-      all.spend(2 * order.size());
+      all_.spend(2 * order.size());
       if (!(moved == whole) && !visit(moved)) return;
     }
-  }
 }
 
 }  // namespace vcrit::symbolic::shortest

@@ -26,7 +26,7 @@ int length(const Expressions& all, const ExLines& lines) {
 
 class FormulaSearch {
  public:
-  explicit FormulaSearch(Expressions& all) : all_(all) {}
+  explicit FormulaSearch(Expressions& all) : all_(all), moves_(all) {}
 
   void begin(const ExLines& start) { meet(start); }
 
@@ -39,7 +39,7 @@ class FormulaSearch {
       open_.pop();
       if (cost > least_ + uphill) return;
       for (std::size_t i = lines.size(); i-- > 0;) {
-        for_each_move(all_, lines[i], [&](const Ex& moved) {
+        moves_.for_each(lines[i], [&](const Ex& moved) {
           ExLines other = lines;
           other[i] = moved;
           meet(other);
@@ -72,6 +72,7 @@ class FormulaSearch {
   }
 
   Expressions& all_;
+  Moves moves_;
   std::priority_queue<Entry> open_;
   std::set<std::vector<ExNode>> seen_;
   int least_ = 0;

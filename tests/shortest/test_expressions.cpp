@@ -63,7 +63,7 @@ BOOST_FIXTURE_TEST_CASE(moves_keep_the_value, Names) {
                                                 sum(all.number(1), square(c)))));
   const double value = this->value(whole);
   int moves = 0;
-  for_each_move(all, whole, [&](const Ex& moved) {
+  Moves(all).for_each(whole, [&](const Ex& moved) {
     ++moves;
     BOOST_TEST(this->value(moved) == value, boost::test_tools::tolerance(1e-12));
     return true;
