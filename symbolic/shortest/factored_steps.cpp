@@ -15,7 +15,7 @@ void Steps::take_out_factors() {
     more = false;
     for (std::uint32_t i = 0; i < steps_.size() && !more; ++i) {
       if (steps_[i].uses == 0) continue;
-      std::vector<FormulaStep> before;
+      FormulaSteps before;
       const int operations = operations_;
       const bool changed = steps_[i].kind == FormulaStep::Kind::sum       ? take_out_of(i, before)
                            : steps_[i].kind == FormulaStep::Kind::product ? multiply_into(i, before)
@@ -29,7 +29,7 @@ void Steps::take_out_factors() {
   }
 }
 
-void Steps::keep(std::vector<FormulaStep>& before) const {
+void Steps::keep(FormulaSteps& before) const {
   if (before.empty()) before = steps_;
 }
 
@@ -90,7 +90,7 @@ std::uint32_t Steps::times(std::uint32_t step, std::uint32_t factor) {
 }
 
 /// a b + a c + d = a (b + c) + d
-bool Steps::take_out_of(std::uint32_t sum, std::vector<FormulaStep>& before) {
+bool Steps::take_out_of(std::uint32_t sum, FormulaSteps& before) {
   const StepParts terms = steps_[sum].parts;
   std::map<StepPart, std::size_t> found;
   for (const StepPart& term : terms)
@@ -133,7 +133,7 @@ bool Steps::take_out_of(std::uint32_t sum, std::vector<FormulaStep>& before) {
   return true;
 }
 
-bool Steps::multiply_into(std::uint32_t product, std::vector<FormulaStep>& before) {
+bool Steps::multiply_into(std::uint32_t product, FormulaSteps& before) {
   const StepParts factors = steps_[product].parts;
   for (const StepPart& sum : factors)
     for (const StepPart& factor : factors)
@@ -144,7 +144,7 @@ bool Steps::multiply_into(std::uint32_t product, std::vector<FormulaStep>& befor
 
 /// a (b + c/a) = a b + c
 bool Steps::multiply_into(std::uint32_t product, std::uint32_t sum, std::uint32_t factor,
-                          std::vector<FormulaStep>& before) {
+                          FormulaSteps& before) {
   if (!is_used_once(sum, FormulaStep::Kind::sum) || steps_[sum].parts.size() != 2) return false;
   const StepPart below{factor, -1};
   const auto has = [&](const StepPart& term) {

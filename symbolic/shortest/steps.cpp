@@ -10,6 +10,12 @@ namespace {
 
 std::uint64_t bit(std::uint32_t step) { return std::uint64_t{1} << (step % 64); }
 
+std::uint64_t mask_of(const StepParts& parts) {
+  std::uint64_t mask = 0;
+  for (const StepPart& part : parts) mask |= bit(part.step);
+  return mask;
+}
+
 bool has_bits(std::uint64_t mask, std::size_t least) {
   for (; least > 1 && mask != 0; --least) mask &= mask - 1;
   return mask != 0;
@@ -52,8 +58,9 @@ StepParts common_parts(const FormulaStep& a, const FormulaStep& b, const Common&
   return parts;
 }
 
-/// The sign with which `step` holds all of `parts`, if it does.
-std::optional<int> sign_in(const FormulaStep& step, const StepParts& parts) {
+/// The sign with which `step` holds all of `parts`, whose mask is given, if it does.
+std::optional<int> sign_in(const FormulaStep& step, const StepParts& parts, std::uint64_t mask) {
+  if ((mask & ~step.mask) != 0) return std::nullopt;  // nearly always
   int sign = 0;
   auto i = step.parts.begin();
   for (const StepPart& part : parts) {
@@ -70,8 +77,7 @@ std::optional<int> sign_in(const FormulaStep& step, const StepParts& parts) {
 
 void FormulaStep::sort_parts() {
   std::sort(parts.begin(), parts.end());
-  mask = 0;
-  for (const StepPart& part : parts) mask |= bit(part.step);
+  mask = mask_of(parts);
 }
 
 int step_operations(const FormulaStep& step, const Expressions& all) {
@@ -94,7 +100,6 @@ int step_operations(const FormulaStep& step, const Expressions& all) {
 }
 
 Steps::Steps(const Expressions& all, const std::vector<Ex>& wholes) : all_(all) {
-  steps_.reserve(64);
   for (std::size_t i = 0; i + 1 < wholes.size(); ++i) wholes_.push_back(definition(wholes[i]));
   wholes_.push_back(of(wholes.back().factor, wholes.back().node));
   share(FormulaStep::Kind::sum);
@@ -211,7 +216,7 @@ std::uint32_t Steps::of(ExNode node) {
 }
 
 void Steps::replace(std::uint32_t in, const StepParts& common, std::uint32_t by) {
-  const std::optional<int> sign = sign_in(steps_[in], common);
+  const std::optional<int> sign = sign_in(steps_[in], common, mask_of(common));
   if (!sign) return;
   StepParts& parts = steps_[in].parts;
   const auto is_common = [&](const StepPart& part) {
@@ -223,7 +228,7 @@ void Steps::replace(std::uint32_t in, const StepParts& common, std::uint32_t by)
   steps_[in].sort_parts();
 }
 
-SetMasks Steps::masks_of_shared(const std::vector<std::uint32_t>& sets) const {
+SetMasks Steps::masks_of_shared(const StepNumbers& sets) const {
   SetMasks result;
   if (steps_.size() <= 64) {
     for (const std::uint32_t set : sets) result.put(steps_[set].mask, set);
@@ -245,7 +250,7 @@ SetMasks Steps::masks_of_shared(const std::vector<std::uint32_t>& sets) const {
   return result;
 }
 
-StepParts Steps::most_shared(const std::vector<std::uint32_t>& sets) const {
+StepParts Steps::most_shared(const StepNumbers& sets) const {
   const SetMasks all = masks_of_shared(sets);
   const std::uint64_t* const masks = all.masks.data();
   const std::size_t size = all.masks.size();
@@ -266,14 +271,15 @@ StepParts Steps::most_shared(const std::vector<std::uint32_t>& sets) const {
   return best;
 }
 
-bool Steps::share_best(const std::vector<std::uint32_t>& sets) {
+bool Steps::share_best(const StepNumbers& sets) {
   all_.spend(sets.size() * sets.size() / 8);
   StepParts best = most_shared(sets);
   if (best.empty()) return false;
+  const std::uint64_t mask = mask_of(best);
   // Where it is all of a step, that step is it.
   std::uint32_t shared = static_cast<std::uint32_t>(steps_.size());
   for (const std::uint32_t set : sets)
-    if (steps_[set].parts.size() == best.size() && sign_in(steps_[set], best)) {
+    if (steps_[set].parts.size() == best.size() && sign_in(steps_[set], best, mask)) {
       shared = set;
       best = steps_[set].parts;
       break;
@@ -298,8 +304,7 @@ bool Steps::share_best(const std::vector<std::uint32_t>& sets) {
 
 void Steps::share(FormulaStep::Kind kind) {
   for (bool more = true; more;) {
-    std::vector<std::uint32_t> sets;
-    sets.reserve(steps_.size());
+    StepNumbers sets;
     for (std::uint32_t i = 0; i < steps_.size(); ++i)
       if (steps_[i].kind == kind && i != whole() && steps_[i].parts.size() >= 2) sets.push_back(i);
     more = sets.size() >= 2 && share_best(sets);
@@ -329,7 +334,7 @@ std::uint32_t Steps::halve(std::uint32_t sum) {
 void Steps::count() {
   operations_ = shared_ = 0;
   for (FormulaStep& step : steps_) step.uses = 0;
-  std::vector<std::uint32_t> open;
+  StepNumbers open;
   for (const std::uint32_t each : wholes_)
     if (steps_[each].uses++ == 0) open.push_back(each);
   while (!open.empty()) {

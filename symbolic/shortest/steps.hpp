@@ -5,6 +5,7 @@
 
 #include <boost/container/small_vector.hpp>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "shortest/expressions.hpp"
@@ -33,10 +34,15 @@ struct FormulaStep {
   void sort_parts();
 };
 
+/// As many as nearly all formulas have need no heap.
+using FormulaSteps = boost::container::small_vector<FormulaStep, 64>;
+
+using StepNumbers = boost::container::small_vector<std::uint32_t, 64>;
+
 /// Sums or products that may have parts in common, with a bit for each part that is in others, too.
 struct SetMasks {
   boost::container::small_vector<std::uint64_t, 64> masks;
-  boost::container::small_vector<std::uint32_t, 64> sets;
+  StepNumbers sets;
   bool exact = true;  ///< no bit stands for several parts
   /// Not 0 where the mask may stand for more than one part.
   std::uint64_t beyond_one(std::uint64_t mask) const {
@@ -59,7 +65,7 @@ class Steps {
   int operations() const { return operations_; }
   /// Steps that are used more than once.
   int shared() const { return shared_; }
-  const std::vector<FormulaStep>& steps() const { return steps_; }
+  const FormulaSteps& steps() const { return steps_; }
   std::uint32_t whole() const { return wholes_.back(); }
   const std::vector<std::uint32_t>& wholes() const { return wholes_; }
   /// a b + a c = a (b + c) and a (b + c/a) = a b + c where that is shorter: what the sharing of
@@ -79,27 +85,27 @@ class Steps {
   std::uint32_t put(FormulaStep step);
   std::uint32_t product(const SmallFraction& factor, const std::vector<Item>& items);
   void share(FormulaStep::Kind kind);
-  SetMasks masks_of_shared(const std::vector<std::uint32_t>& sets) const;
+  SetMasks masks_of_shared(const StepNumbers& sets) const;
   /// The most parts that two of these steps have in common; none where it is less than two.
-  StepParts most_shared(const std::vector<std::uint32_t>& sets) const;
-  bool share_best(const std::vector<std::uint32_t>& sets);
+  StepParts most_shared(const StepNumbers& sets) const;
+  bool share_best(const StepNumbers& sets);
   void replace(std::uint32_t in, const StepParts& common, std::uint32_t by);
   void count();
   std::uint32_t without(std::uint32_t product, const StepPart& factor);
   std::uint32_t times(std::uint32_t step, std::uint32_t factor);
   bool is_used_once(std::uint32_t step, FormulaStep::Kind kind) const;
   /// All steps as they are now, unless they are kept already.
-  void keep(std::vector<FormulaStep>& before) const;
+  void keep(FormulaSteps& before) const;
   /// Before these change a step, `before` keeps all.
-  bool take_out_of(std::uint32_t sum, std::vector<FormulaStep>& before);
-  bool multiply_into(std::uint32_t product, std::vector<FormulaStep>& before);
+  bool take_out_of(std::uint32_t sum, FormulaSteps& before);
+  bool multiply_into(std::uint32_t product, FormulaSteps& before);
   bool multiply_into(std::uint32_t product, std::uint32_t sum, std::uint32_t factor,
-                     std::vector<FormulaStep>& before);
+                     FormulaSteps& before);
   bool become_sum(std::uint32_t product, const StepParts& terms);
 
   const Expressions& all_;
-  std::vector<FormulaStep> steps_;
-  std::vector<std::pair<ExNode, std::uint32_t>> known_;
+  FormulaSteps steps_;
+  boost::container::small_vector<std::pair<ExNode, std::uint32_t>, 64> known_;
   std::vector<std::uint32_t> wholes_;
   int operations_ = 0, shared_ = 0;
 };
