@@ -25,9 +25,8 @@ void print_derivation(const vcrit::Scene& scene) {
   if (!scene.receptance)
     std::cout << symbolic::print(scene,
                                  {Format::text, false, false, symbolic::ResultForm::storage_loss});
-  const symbolic::Findings result = symbolic::findings_of(scene, {});
   for (const std::string& system : symbolic::system_names())
-    std::cout << symbolic::print_findings(scene, result, Format::system, system);
+    std::cout << symbolic::print_findings(scene, all, Format::system, system);
   if (!scene.receptance && symbolic::terms_before_squaring(symbolic::SymbolicModel(scene)) < 300)
     std::cout << symbolic::print(scene,
                                  {Format::json, false, false, symbolic::ResultForm::rational});
