@@ -76,7 +76,8 @@ class Item:
         searched = tuple(Path(folder[0][2:]) for folder in self.folders if len(folder) == 1)
         self.before = headers.before(file, searched)
         self.begun = headers.beginning(file, searched)
-        self.checks = [self.key(headers.read(file, searched), headers)]  # with headers, if it is their check
+        self.read = headers.read(file, searched)
+        self.checks = [self.key(self.read, headers)]  # with headers, if it is their check
 
     def key(self, files, headers):
         texts = [(str(file), headers.digest(file)) for file in files]
@@ -127,8 +128,8 @@ def headers_of(items, headers):
     """Those in folders of the items, as items, compiled as the first source file that includes it is."""
     first = {}
     for item in items:
-        for header in [*headers.included(item.before), folder_of(item.file)]:
-            first.setdefault(header, item)
+        for file in [*item.read, folder_of(item.file)]:
+            first.setdefault(file, item)
     for folder in dict.fromkeys(folder_of(item.file) for item in items):
         for header in sorted((project / folder).rglob("*.hpp")):
             yield Item(header, first.get(header, first[folder]).entry, headers)

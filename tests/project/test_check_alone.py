@@ -15,7 +15,7 @@ import unittest
 
 ROOT = pathlib.Path(sys.argv.pop(1))
 
-# What is right, and beside it files that each break one rule. Five include <string> in any case, so that it is compiled once.
+# What is right, and beside it files that each break one rule. Several include <string> in any case, so that it is compiled once.
 FILES = {
     "text.hpp": """#pragma once
 #include <string>
@@ -61,6 +61,16 @@ inline int wide = 1;
 #include "width.hpp"
 int width() { return wide; }
 """,
+    # Compiled as its user is, although the macro keeps it out of what is compiled once.
+    "of_user.hpp": """#pragma once
+#ifndef FOR_user
+#error "not for this file"
+#endif
+""",
+    "user.cpp": """#include <string>
+#include "of_user.hpp"
+std::string used;
+""",
     "main.cpp": """#include <vector>
 #include "text.hpp"
 #include "unbegun.hpp"
@@ -91,7 +101,7 @@ class CheckAlone(unittest.TestCase):
         for name, text in files.items():
             (project / "src" / name).write_text(text)
         commands = [{"file": str(file), "directory": str(project / "build"),
-                     "command": f"g++ -std=c++20 -g -Wall -Werror -DVCRIT_NAME=1 -I{project}/src -o {file.stem}.o -c {file}"}
+                     "command": f"g++ -std=c++20 -g -Wall -Werror -DFOR_{file.stem} -I{project}/src -o {file.stem}.o -c {file}"}
                     for folder in ("build", "src") for file in sorted((project / folder).glob("*.cpp"))]
         (project / "build/compile_commands.json").write_text(json.dumps(commands))
         return project
@@ -104,7 +114,7 @@ class CheckAlone(unittest.TestCase):
 
     def test_each_fault_and_no_other(self):
         project = self.project(FILES)
-        self.assert_faults(ERRORS, 11, check(project))
+        self.assert_faults(ERRORS, 13, check(project))
         # What has passed is left out until something that it reads is another.
         for name, old, new in (("unbegun.hpp", "once", "once\n#include <vector>"), ("width.hpp", "= 1", '= ""')):
             (project / "src" / name).write_text(FILES[name].replace(old, new))
