@@ -7,9 +7,7 @@
 
 namespace vcrit::test {
 
-inline GiNaC::numeric number(const Real& value) {
-  return GiNaC::numeric(value.str(120, std::ios::scientific).c_str());
-}
+inline GiNaC::numeric number(const Real& value) { return GiNaC::numeric(value.str(120).c_str()); }
 
 /// Digits in which two numbers agree.
 inline double agreement(const GiNaC::numeric& a, const GiNaC::numeric& b) {

@@ -22,9 +22,7 @@ namespace {
 
 constexpr unsigned seed = 20261121;
 
-GiNaC::numeric number(const test::Real& value) {
-  return GiNaC::numeric(value.str(120, std::ios::scientific).c_str());
-}
+GiNaC::numeric number(const test::Real& value) { return GiNaC::numeric(value.str(120).c_str()); }
 
 GiNaC::ex line(const Derivation& derivation, const std::string& words) {
   for (const Line& each : derivation.lines)

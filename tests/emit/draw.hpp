@@ -55,9 +55,4 @@ class Draw {
   double nearest_;
 };
 
-/// |value/exact - 1|, rounded to a double.
-inline double relative_error(double value, const Real& exact) {
-  return static_cast<double>(Real(abs(Real(value) / exact - 1)));
-}
-
 }  // namespace vcrit::test

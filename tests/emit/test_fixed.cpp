@@ -98,11 +98,6 @@ Scene varied(Scene scene, const std::vector<std::string>& names, std::mt19937& r
   return scene;
 }
 
-/// |value/exact - 1|, rounded to a double.
-double relative_error(double value, const test::Real& exact) {
-  return static_cast<double>(test::Real(abs(test::Real(value) / exact - 1)));
-}
-
 std::string struct_of_parameters(const std::string& header) {
   const std::size_t begin = header.find("struct Parameters");
   return header.substr(begin, header.find("};", begin) - begin);
@@ -153,9 +148,9 @@ BOOST_AUTO_TEST_CASE(fixed_and_unfixed_keep_their_bounds) {
       BOOST_TEST_CONTEXT(compiler << ", library " << call.library << ", call " << i) {
         // The bounds are the claim under test.
         if (std::isfinite(call.bound))
-          BOOST_TEST(relative_error(call.value, exact[i]) <= call.bound);
+          BOOST_TEST(test::relative_error(call.value, exact[i]) <= call.bound);
         if (std::isfinite(call.fast_bound))
-          BOOST_TEST(relative_error(call.fast_value, exact[i]) <= call.fast_bound);
+          BOOST_TEST(test::relative_error(call.fast_value, exact[i]) <= call.fast_bound);
       }
       certified += std::isfinite(call.bound) ? 1 : 0;
       // Fixed first, then unfixed: each within its bound of one value.
@@ -205,8 +200,8 @@ BOOST_AUTO_TEST_CASE(a_mesh_keeps_its_bounds) {
   for (const Call& call : calls) {
     const test::Real exact = test::critical_velocity_by_nodes(call.scene);
     BOOST_TEST(std::isfinite(call.bound));
-    BOOST_TEST(relative_error(call.value, exact) <= call.bound);
-    BOOST_TEST(relative_error(call.fast_value, exact) <= call.fast_bound);
+    BOOST_TEST(test::relative_error(call.value, exact) <= call.bound);
+    BOOST_TEST(test::relative_error(call.fast_value, exact) <= call.fast_bound);
   }
 }
 
