@@ -80,6 +80,12 @@ void HeldCells::place_cells(const HalfSpace& half_space, const MemoryCells& cell
   count_ = each * static_cast<Eigen::Index>(panels.closed.size() + panels.opening.size());
   weights_.resize(count_);
   bounds_ = Eigen::MatrixXd::Zero(count_, steps_);
+  // Of each step and of the same a period before, for all cells.
+  std::vector<double> swings, earlier;
+  for (int n = 1; n <= steps_; ++n) {
+    swings.push_back(cells.swing_force(step_ * n));
+    earlier.push_back(cells.swing_force(step_ * n - two_pi));
+  }
   Eigen::Index i = 0;
   const auto place = [&](const Panel& panel, bool opens) {
     for (int k = 0; k < each; ++k, ++i) {
@@ -93,9 +99,11 @@ void HeldCells::place_cells(const HalfSpace& half_space, const MemoryCells& cell
         touch.decays = {half_space.static_modulus() * half_space.depth(x)};
       for (Eigen::Index n = 0; n < steps_; ++n) {
         double t = step_ * static_cast<double>(n + 1);
-        if (t > touch.end) t -= two_pi;
-        if (t >= touch.begin && t <= touch.end)
-          bounds_(i, n) = std::max(0.0, width * cells.force(touch, t));
+        const bool over = t > touch.end;
+        if (over) t -= two_pi;
+        if (t < touch.begin || t > touch.end) continue;
+        const double swing = (over ? earlier : swings)[static_cast<std::size_t>(n)];
+        bounds_(i, n) = std::max(0.0, width * cells.force(touch, t, swing));
       }
     }
   };

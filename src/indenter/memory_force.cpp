@@ -52,8 +52,10 @@ MemoryCells::MemoryCells(const HalfSpace& half_space)
                                   half_space.omega())),
       swing_(half_space.amplitude() * dynamic_stiffness(half_space.normal(), half_space.omega())) {}
 
-double MemoryCells::force(const CellTouch& touch, double t) const {
-  double sum = (swing_ * std::polar(1.0, t)).real();
+double MemoryCells::swing_force(double t) const { return (swing_ * std::polar(1.0, t)).real(); }
+
+double MemoryCells::force(const CellTouch& touch, double t, double swing) const {
+  double sum = swing;
   for (simulation::Index i = 0; i < touch.decays.size(); ++i)
     sum += touch.decays[i] * std::exp(-modes_.branch_rates[i] * (t - touch.begin));
   return sum;

@@ -46,8 +46,10 @@ class MemoryCells {
 
   /// Throws ModelError where a cell touches more than once in a period.
   CellTouch touch(double x) const;
-  /// Of a cell that touches, at a phase between begin and end.
-  double force(const CellTouch& touch, double t) const;
+  /// Of a cell that touches, at a phase between begin and end, and of its oscillation alone there,
+  /// which is that of all cells.
+  double force(const CellTouch& touch, double t, double swing) const;
+  double swing_force(double t) const;
 
   const simulation::ContactModes& modes() const { return modes_; }
   std::complex<double> swing() const { return swing_; }  ///< du_z E*(i omega), N/m
