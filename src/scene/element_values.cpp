@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
 #include "base/identifiers.hpp"
 #include "base/spelled_names.hpp"
 #include "scene/arithmetic.hpp"
@@ -30,8 +28,13 @@ void ElementValues::read() {
   uses_.insert(expressions_->parameters().begin(), expressions_->parameters().end());
   for (const auto& [element, text] : expressions_->all())
     scene_.expressions[to_text(element)] = text;
+  std::set<std::string> with_mass = taken;
+  with_mass.insert("m");
+  // Without a body, m is free for a mass of the drive.
   for (const auto& [name, use] : uses_)
-    complaints_.attempt([&, &name = name, &use = use] { read(name, use, taken); });
+    complaints_.attempt([&, &name = name, &use = use] {
+      read(name, use, has_body() || use.dimension == Dimension::mass ? taken : with_mass);
+    });
   complaints_.attempt([&] { read_other_keys(uses_); });
   if (complaints_.any()) read_unused();
   refuse_names_beyond_ascii();
@@ -100,11 +103,9 @@ void ElementValues::read_unused() {
   }
 }
 
-// Without a body, m is free for a mass of the drive.
 void ElementValues::refuse_clash(const std::string& name, const ElementUse& use,
-                                 std::set<std::string> taken) const {
-  if (!has_body() && use.dimension != Dimension::mass) taken.insert("m");
-  check_symbol_name(name, "an element", use.place, std::move(taken));
+                                 const std::set<std::string>& taken) const {
+  check_symbol_name(name, "an element", use.place, taken);
   const toml::table* networks = document::table(document_, "networks", file_);
   if (networks != nullptr && networks->contains(name))
     throw InputError(use.place, fmt::format("\"{}\" as a network and as an element", name),

@@ -44,7 +44,7 @@ class ElementValues {
   OverridingValues& settings() { return quantities_.settings(); }
   void read(const std::string& name, const ElementUse& use, const std::set<std::string>& taken);
   void refuse_clash(const std::string& name, const ElementUse& use,
-                    std::set<std::string> taken) const;
+                    const std::set<std::string>& taken) const;
   void read_other_keys(const Uses& uses);
   void refuse_to_set(const std::string& key, const Symbol& element) const;
   void read_scalar(const std::string& name, const ElementUse& use, const toml::node* node);

@@ -68,15 +68,16 @@ void check_name(const char* what, const std::string& name, const Place& place) {
 }
 
 void check_symbol_name(const std::string& name, const char* what, const Place& place,
-                       std::set<std::string> taken) {
+                       const std::set<std::string>& taken) {
   refuse_name_beyond_ascii(name, 0, place);
   if (const auto why = unsafe_as_identifier(name))
     throw InputError(place, fmt::format("name \"{}\", which {}", name, *why), "another name");
-  taken.insert(keys().begin(), keys().end());
-  if (taken.contains(name))
-    throw InputError(
-        place, fmt::format("\"{}\" as {}", name, what),
-        fmt::format("another name: it is a quantity of the scene ({})", fmt::join(taken, ", ")));
+  if (!taken.contains(name) && !keys().contains(name)) return;
+  std::set<std::string> all = taken;
+  all.insert(keys().begin(), keys().end());
+  throw InputError(
+      place, fmt::format("\"{}\" as {}", name, what),
+      fmt::format("another name: it is a quantity of the scene ({})", fmt::join(all, ", ")));
 }
 
 std::string own_name_of(const std::string& name, const std::set<std::string>& others) {

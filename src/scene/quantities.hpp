@@ -33,7 +33,7 @@ void check_name(const char* what, const std::string& name, const Place& place);
 /// code, or is among `taken` or the keys by which commands speak of quantities. `what`: "an
 /// element".
 void check_symbol_name(const std::string& name, const char* what, const Place& place,
-                       std::set<std::string> taken = {});
+                       const std::set<std::string>& taken = {});
 
 /// The symbols of quantities that not every scene has, by the section that has them. There before
 /// anything runs, as scenes may be read before main.
