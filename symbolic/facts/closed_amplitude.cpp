@@ -6,6 +6,7 @@
 #include "base/errors.hpp"
 #include "derivation/loaded.hpp"
 #include "formula/algebra_lock.hpp"
+#include "formula/order.hpp"
 #include "formula/rational.hpp"
 #include "network/law.hpp"
 #include "rules/kinds.hpp"
@@ -69,7 +70,7 @@ class ClosedAmplitude {
     const bool sum = GiNaC::is_a<GiNaC::add>(function);
     ensure(sum || GiNaC::is_a<GiNaC::mul>(function), "rational functions have nothing but + * /");
     Ex result = Expressions::number(sum ? 0 : 1);
-    for (const GiNaC::ex& part : function)
+    for (const GiNaC::ex& part : in_order_of_text(function))
       result = sum ? all_.add(result, of(part)) : all_.multiply(result, of(part));
     return result;
   }

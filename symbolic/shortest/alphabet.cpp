@@ -6,6 +6,7 @@
 #include "base/errors.hpp"
 #include "derivation/model.hpp"
 #include "formula/names.hpp"
+#include "formula/order.hpp"
 #include "formula/symbols.hpp"
 #include "network/law.hpp"
 
@@ -73,7 +74,8 @@ Ex Alphabet::symbol(const Symbol& symbol, const Measure& measure) {
 Ex Alphabet::in_groups(const GiNaC::ex& product) {
   if (GiNaC::is_a<GiNaC::mul>(product)) {
     Ex whole = Expressions::number(1);
-    for (const GiNaC::ex& factor : product) whole = all_.multiply(whole, in_groups(factor));
+    for (const GiNaC::ex& factor : in_order_of_text(product))
+      whole = all_.multiply(whole, in_groups(factor));
     return whole;
   }
   if (GiNaC::is_a<GiNaC::symbol>(product)) {
