@@ -55,8 +55,8 @@ class ModelError : public std::runtime_error {
   std::shared_ptr<const std::string> advice_;
 };
 
-/// A broken promise inside the program; never the user's fault. It says in which function, not in which
-/// line: each line of comment would make another program. (clang 14 has no source_location.)
+/// A broken promise inside the program; never the user's fault. It says in which function, not in
+/// which line: each line of comment would make another program. (clang 14 has no source_location.)
 class Bug : public std::logic_error {
  public:
   explicit Bug(const std::string& what, const char* function = __builtin_FUNCTION());

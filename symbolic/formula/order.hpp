@@ -1,4 +1,5 @@
-// GiNaC orders the parts of an expression by where their types lie in memory: otherwise in each run.
+// GiNaC orders the parts of an expression by where their types lie in memory: otherwise in each
+// run.
 #pragma once
 
 #include <ginac/ginac.h>
