@@ -65,11 +65,12 @@ def derive(test, kind, column):
     if found is None:
         return
     values = formulas.beside_poles(REFERENCES[kind].parameters())
-    for form, document in (("text", found.document("text")), ("latex", found.document("latex"))):
+    documents = {form: found.document(form) for form in ("text", "latex")}
+    for form, document in documents.items():
         for value in formulas.onsets(document, form, values):
             test.near_in_digits(value, REFERENCES[kind]("formula"), form)
     alone = formulas.onsets(f"\\[ {found.latex} \\]", "latex", values)
     for value in alone:
         test.near_in_digits(value, REFERENCES[kind]("formula"), found.latex)
     if not alone:  # it has names of its own, and stands on a line of its own
-        test.assertIn(found.latex.split("=", 1)[1].strip(), found.document("latex"))
+        test.assertIn(found.latex.split("=", 1)[1].strip(), documents["latex"])
