@@ -48,19 +48,23 @@ class Package(unittest.TestCase):
         # ccache knows what it compiled in another such folder.
         CACHED.update(CCACHE_BASEDIR=str(cls.folder), CCACHE_NOHASHDIR="1", CCACHE_DEPEND="1")
         done("cmake", "--install", BUILD, "--prefix", cls.folder / "installed")
-        cls.prefix = (cls.folder / "installed").rename(cls.folder / "moved")
-        done("cmake", "--install", BUILD, "--prefix", cls.folder / "numeric", "--component", "numeric")
+        cls.prefix = cls.folder / "whole/vcrit"
+        cls.prefix.parent.mkdir()
+        (cls.folder / "installed").rename(cls.prefix)
+        cls.numeric = cls.folder / "numeric/vcrit"
+        done("cmake", "--install", BUILD, "--prefix", cls.numeric, "--component", "numeric")
 
     def configure(self, name, source, *options, prefix=None, **environment):
-        """Configures a consumer; the outcome and its build folder."""
-        build = self.folder / f"build-{name}"
+        """Configures a consumer; the outcome and its build folder, beside the package: ccache sees the same headers there."""
+        prefix = prefix or self.prefix
+        build = prefix.with_name(f"build-{name}")
         for file in COMPILER_FACTS:
             known = build / "CMakeFiles" / file.parent.name
             known.mkdir(parents=True, exist_ok=True)
             shutil.copy(file, known)
         outcome = run("cmake", "-G", "Ninja", "-S", source, "-B", build, f"-DCMAKE_CXX_COMPILER={COMPILER}",
                       f"-DCMAKE_CXX_COMPILER_LAUNCHER={LAUNCHER}", f"-DCMAKE_CXX_FLAGS={FLAGS}",
-                      f"-DCMAKE_C_FLAGS={FLAGS}", f"-DCMAKE_PREFIX_PATH={prefix or self.prefix}", *options,
+                      f"-DCMAKE_C_FLAGS={FLAGS}", f"-DCMAKE_PREFIX_PATH={prefix}", *options,
                       **environment)
         return outcome, build
 
@@ -95,9 +99,8 @@ class Package(unittest.TestCase):
         self.check_numeric(build / "consumer")
 
     def test_numeric_component_stands_alone(self):
-        prefix = self.folder / "numeric"
-        self.check_numeric(self.built("alone", HERE / "numeric", prefix=prefix) / "consumer")
-        outcome, _ = self.configure("absent", HERE / "symbolic", prefix=prefix)
+        self.check_numeric(self.built("numeric", HERE / "numeric", prefix=self.numeric) / "consumer")
+        outcome, _ = self.configure("absent", HERE / "symbolic", prefix=self.numeric)
         self.assertNotEqual(outcome.returncode, 0)
         self.assertIn("vcrit's component symbolic", outcome.stdout)
 
