@@ -19,11 +19,13 @@ namespace {
 
 constexpr std::chrono::seconds answer_limit{60};  // thousands of values take less than a second
 
-/// Why there is no generated library; empty if there is one, in `folder`.
+/// Why there is no generated library; empty if there is one, its headers in `folder`.
 std::string generate_into(const symbolic::Derivation& derivation,
                           const std::filesystem::path& folder) {
   try {
-    symbolic::generate(derivation, folder, "scene");
+    std::vector<symbolic::CodeFile> files = symbolic::code_files(derivation, "scene");
+    std::erase_if(files, [](const auto& file) { return !file.name.ends_with(".hpp"); });
+    symbolic::write_code(files, folder);
     return {};
   } catch (const ModelError& error) {
     return error.what();
