@@ -282,6 +282,19 @@ ComplexQuotient Presentations::sum(const std::vector<ComplexQuotient>& parts,
 
 std::vector<ComplexQuotient> Presentations::sums(const Choices& parts,
                                                  const std::vector<int>& groups) {
+  for (const Summed& known : summed_)
+    if (known.groups == groups && known.parts == parts) {
+      all_.spend(known.work);
+      return known.found;
+    }
+  const std::size_t before = all_.work();
+  std::vector<ComplexQuotient> found = found_sums(parts, groups);
+  summed_.push_back({parts, groups, found, all_.work() - before});
+  return found;
+}
+
+std::vector<ComplexQuotient> Presentations::found_sums(const Choices& parts,
+                                                       const std::vector<int>& groups) {
   std::vector<ComplexQuotient> all;
   // The choice of each group, as digits of a number.
   int most = 0;

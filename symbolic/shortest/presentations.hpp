@@ -45,8 +45,7 @@ class Presentations {
   /// Of the compliance with another behind it.
   std::vector<ComplexQuotient> behind(const Network& network, const ComplexQuotient& other);
   /// Of sums, of each of which any presentation may be taken.
-  std::vector<ComplexQuotient> sums(const std::vector<std::vector<ComplexQuotient>>& parts,
-                                    const std::vector<int>& alike);
+  std::vector<ComplexQuotient> sums(const Choices& parts, const std::vector<int>& groups);
   ComplexQuotient sum(const std::vector<ComplexQuotient>& parts, bool one_denominator);
   /// K - m omega^2 of a drive and a mass, if there is one: of springs and dampers side by side
   /// Z + i V.
@@ -74,13 +73,22 @@ class Presentations {
   Ex number(const Amount& amount);
   std::vector<ComplexQuotient> best(std::vector<ComplexQuotient> all);
   void offer(std::vector<ComplexQuotient>& all, const ComplexQuotient& quotient);
+  std::vector<ComplexQuotient> found_sums(const Choices& parts, const std::vector<int>& groups);
 
+  /// Sums that were asked for: a network is written again with each way to write another one.
+  struct Summed {
+    Choices parts;
+    std::vector<int> groups;
+    std::vector<ComplexQuotient> found;
+    std::size_t work = 0;  ///< that it took to find them: spent by each that asks
+  };
   Expressions& all_;
   ComplexAlgebra complex_;
   Ex omega_;
   Lookup symbol_;
   Thrift thrift_;
   bool dampers_named_;
+  std::vector<Summed> summed_;
 };
 
 /// Networks of the same form have the same number.
