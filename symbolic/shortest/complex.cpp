@@ -1,6 +1,7 @@
 #include "shortest/complex.hpp"
 
 #include <cstdlib>
+#include <span>
 
 namespace vcrit::symbolic::shortest {
 
@@ -9,13 +10,14 @@ namespace {
 /// A node as factors.
 std::vector<Item> factors(const Expressions& all, ExNode node) {
   if (node == 0) return {};
-  if (all[node].kind == ExpressionKind::product) return all[node].items;
+  const std::span<const Item> items = all[node].items;
+  if (all[node].kind == ExpressionKind::product) return {items.begin(), items.end()};
   return {{node, 1, {}}};
 }
 
 /// What both products have in common.
-std::vector<std::pair<Ex, int>> common_factors(const Expressions& all, ExNode a, ExNode b) {
-  std::vector<std::pair<Ex, int>> common;
+std::vector<ExPower> common_factors(const Expressions& all, ExNode a, ExNode b) {
+  std::vector<ExPower> common;
   for (const Item& x : factors(all, a))
     for (const Item& y : factors(all, b)) {
       if (x.node != y.node || (x.exponent > 0) != (y.exponent > 0)) continue;

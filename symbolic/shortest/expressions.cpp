@@ -1,6 +1,7 @@
 #include "shortest/expressions.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "base/errors.hpp"
 
@@ -8,18 +9,19 @@ namespace vcrit::symbolic::shortest {
 
 namespace {
 
-std::size_t hash_with(std::size_t hash, std::size_t value) {
+std::uint64_t hash_with(std::uint64_t hash, std::uint64_t value) {
   hash = (hash ^ value) * 0x9e3779b97f4a7c15;
   return hash ^ (hash >> 29);
 }
 
-std::size_t node_hash(const NodeData& data) {
-  std::size_t hash = hash_with(static_cast<std::size_t>(data.kind) + 1, data.name);
-  for (const Item& item : data.items) {
-    hash = hash_with(hash, item.node);
-    hash = hash_with(hash, static_cast<std::size_t>(item.exponent));
-    hash = hash_with(hash, static_cast<std::size_t>(item.factor.over));
-    hash = hash_with(hash, static_cast<std::size_t>(item.factor.under));
+std::uint64_t node_hash(ExpressionKind kind, std::span<const Item> items) {
+  std::uint64_t hash = static_cast<std::uint64_t>(kind) + 1;
+  for (const Item& item : items) {
+    const auto exponent = static_cast<std::uint32_t>(item.exponent);
+    hash = hash_with(hash, item.node | std::uint64_t{exponent} << 32);
+    if (item.factor.is_one()) continue;  // nearly always
+    hash = hash_with(hash, static_cast<std::uint64_t>(item.factor.over));
+    hash = hash_with(hash, static_cast<std::uint64_t>(item.factor.under));
   }
   return hash;
 }
@@ -35,7 +37,7 @@ SmallFraction power(SmallFraction base, int exponent) {
 }
 
 /// Factors of one node joined; those that cancel go.
-void join_factors(std::vector<Item>& items) {
+void join_factors(ItemList& items) {
   std::sort(items.begin(), items.end(), by_node);
   std::size_t kept = 0;
   for (const Item& item : items) {
@@ -48,7 +50,7 @@ void join_factors(std::vector<Item>& items) {
   items.resize(kept);
 }
 
-void join_terms(std::vector<Item>& items) {
+void join_terms(ItemList& items) {
   std::sort(items.begin(), items.end(), by_node);
   std::size_t kept = 0;
   for (const Item& item : items) {
@@ -71,14 +73,34 @@ std::int64_t square_part(std::int64_t& n) {
 
 }  // namespace
 
-Expressions::Expressions() : known_(1024, Hash{this}, Same{this}) { make(ExpressionKind::one, {}); }
-
-bool Expressions::Same::operator()(ExNode a, ExNode b) const {
-  const NodeData &x = all->nodes_[a], &y = all->nodes_[b];
-  return x.kind == y.kind && x.name == y.name && x.items == y.items;
+void NodeStore::push_back(NodeData node) {
+  if (size_ == chunks_.size() * chunk) chunks_.push_back(std::make_unique<NodeData[]>(chunk));
+  const std::size_t count = node.items.size();
+  if (left_.size() < count) {
+    const std::size_t more = std::max(4 * chunk, count);
+    item_chunks_.push_back(std::make_unique_for_overwrite<Item[]>(more));
+    left_ = {item_chunks_.back().get(), more};
+  }
+  std::copy(node.items.begin(), node.items.end(), left_.begin());
+  node.items = left_.first(count);
+  left_ = left_.subspan(count);
+  (*this)[size_++] = node;
 }
 
-bool Expressions::is_positive(ExpressionKind kind, const std::vector<Item>& items) const {
+void KnownNodes::grow() {
+  std::vector<Slot> before(2 * slots_.size());
+  before.swap(slots_);
+  for (const Slot& slot : before) {
+    if (slot.node == none) continue;
+    std::size_t at = slot.mark & (slots_.size() - 1);
+    while (slots_[at].node != none) at = (at + 1) & (slots_.size() - 1);
+    slots_[at] = slot;
+  }
+}
+
+Expressions::Expressions() { make(ExpressionKind::one, {}); }
+
+bool Expressions::is_positive(ExpressionKind kind, std::span<const Item> items) const {
   const auto all = [&](const auto& holds) {
     return std::all_of(items.begin(), items.end(), holds);
   };
@@ -89,22 +111,20 @@ bool Expressions::is_positive(ExpressionKind kind, const std::vector<Item>& item
   return true;
 }
 
-ExNode Expressions::make(ExpressionKind kind, std::vector<Item> items) {
-  NodeData data{kind, is_positive(kind, items), 0, std::move(items), 0};
-  data.hash = node_hash(data);
-  spend(8 + 2 * data.items.size());
-  nodes_.push_back(std::move(data));
-  const auto [known, is_new] = known_.insert(static_cast<ExNode>(nodes_.size() - 1));
-  if (!is_new) nodes_.pop_back();
-  return *known;
+ExNode Expressions::make(ExpressionKind kind, std::span<const Item> items) {
+  spend(8 + 2 * items.size());
+  const auto next = static_cast<ExNode>(nodes_.size());
+  const auto same = [&](ExNode node) {
+    return nodes_[node].kind == kind && std::ranges::equal(nodes_[node].items, items);
+  };
+  const ExNode node = known_.find_or_add(node_hash(kind, items), next, same);
+  if (node == next) nodes_.push_back({kind, is_positive(kind, items), 0, items});
+  return node;
 }
 
 Ex Expressions::symbol(std::string name, int operations, bool leads) {
-  nodes_.push_back(
-      {ExpressionKind::symbol, true, static_cast<std::uint32_t>(names_.size()), {}, 0});
-  nodes_.back().hash = node_hash(nodes_.back());
-  const ExNode node = static_cast<ExNode>(nodes_.size() - 1);
-  known_.insert(node);
+  const auto node = static_cast<ExNode>(nodes_.size());
+  nodes_.push_back({ExpressionKind::symbol, true, static_cast<std::uint32_t>(names_.size()), {}});
   names_.push_back({std::move(name), operations, leads, number(0), node});
   return {{}, node};
 }
@@ -128,8 +148,8 @@ Ex Expressions::named(std::string letter, const Ex& meaning, int operations, boo
   return ex;
 }
 
-Ex Expressions::sum(std::vector<Ex> terms) {
-  std::vector<Item> items;
+Ex Expressions::sum(std::span<const Ex> terms) {
+  ItemList items;
   items.reserve(terms.size());
   for (const Ex& term : terms)
     if (!term.is_zero()) items.push_back({term.node, 1, term.factor});
@@ -139,7 +159,7 @@ Ex Expressions::sum(std::vector<Ex> terms) {
     return item.factor.is_unit() && nodes_[item.node].kind == ExpressionKind::sum;
   };
   while (std::any_of(items.begin(), items.end(), is_part)) {
-    std::vector<Item> flat;
+    ItemList flat;
     flat.reserve(2 * items.size());
     for (const Item& item : items) {
       if (!is_part(item))
@@ -158,12 +178,11 @@ Ex Expressions::sum(std::vector<Ex> terms) {
     if (!(absolute(item.factor) == common)) common = {};
   if (items[0].factor.negative()) common = -common;
   for (Item& item : items) item.factor = item.factor / common;
-  return {common, make(ExpressionKind::sum, std::move(items))};
+  return {common, make(ExpressionKind::sum, {items.data(), items.size()})};
 }
 
-void Expressions::multiply_into(std::vector<Item>& items, SmallFraction& factor,
-                                std::vector<Item>& under_root, SmallFraction& root_factor,
-                                const Ex& base, int exponent) {
+void Expressions::multiply_into(ItemList& items, SmallFraction& factor, ItemList& under_root,
+                                SmallFraction& root_factor, const Ex& base, int exponent) {
   factor = factor * shortest::power(base.factor, exponent);
   const NodeData& data = nodes_[base.node];
   switch (data.kind) {
@@ -193,16 +212,15 @@ void Expressions::multiply_into(std::vector<Item>& items, SmallFraction& factor,
   }
 }
 
-Ex Expressions::product(const std::vector<std::pair<Ex, int>>& factors) {
-  std::vector<Item> items, under_root;
-  items.reserve(factors.size() + 4);  // some are products themselves
+Ex Expressions::product(std::span<const ExPower> factors) {
+  ItemList items, under_root;
   SmallFraction factor, root_factor;
   for (const auto& [base, exponent] : factors) {
     if (base.is_zero()) return number(0);
     multiply_into(items, factor, under_root, root_factor, base, exponent);
   }
   if (!under_root.empty()) {
-    std::vector<std::pair<Ex, int>> arguments{{{root_factor, 0}, 1}};
+    std::vector<ExPower> arguments{{{root_factor, 0}, 1}};
     for (const Item& item : under_root) arguments.push_back({{{}, item.node}, item.exponent});
     const Ex whole = root(product(arguments));
     factor = factor * whole.factor;
@@ -220,10 +238,11 @@ Ex Expressions::product(const std::vector<std::pair<Ex, int>>& factors) {
       if (other.node == nodes_[items[i].node].items[0].node && other.exponent % 2 == 0)
         items[i].exponent += std::exchange(other.exponent, 0);
   }
-  std::erase_if(items, [](const Item& item) { return item.exponent == 0; });
+  const auto cancels = [](const Item& item) { return item.exponent == 0; };
+  items.erase(std::remove_if(items.begin(), items.end(), cancels), items.end());
   if (items.empty()) return {factor, 0};
   if (items.size() == 1 && items[0].exponent == 1) return {factor, items[0].node};
-  return {factor, make(ExpressionKind::product, std::move(items))};
+  return {factor, make(ExpressionKind::product, {items.data(), items.size()})};
 }
 
 Ex Expressions::root(const Ex& argument) {
@@ -231,7 +250,7 @@ Ex Expressions::root(const Ex& argument) {
   if (argument.is_zero()) return argument;
   SmallFraction inside = argument.factor, outside;
   outside.over = square_part(inside.over), outside.under = square_part(inside.under);
-  std::vector<std::pair<Ex, int>> before{{{outside, 0}, 1}}, left;
+  std::vector<ExPower> before{{{outside, 0}, 1}}, left;
   const NodeData& data = nodes_[argument.node];
   if (data.kind == ExpressionKind::product) {
     for (const Item& item : data.items) {
@@ -245,9 +264,9 @@ Ex Expressions::root(const Ex& argument) {
   }
   const Ex rest = product(left);
   if (rest.is_one() && inside.is_one()) return product(before);
-  before.push_back({{{}, make(ExpressionKind::root, {{rest.node, 1, inside}})}, 1});
+  before.push_back({{{}, make(ExpressionKind::root, std::array{Item{rest.node, 1, inside}})}, 1});
   // Not by product(), which would take the root apart again.
-  std::vector<Item> items;
+  ItemList items;
   SmallFraction factor = outside;
   for (std::size_t i = 1; i < before.size(); ++i) {
     const ExNode node = before[i].first.node;
@@ -259,7 +278,7 @@ Ex Expressions::root(const Ex& argument) {
   }
   join_factors(items);
   if (items.size() == 1 && items[0].exponent == 1) return {factor, items[0].node};
-  return {factor, make(ExpressionKind::product, std::move(items))};
+  return {factor, make(ExpressionKind::product, {items.data(), items.size()})};
 }
 
 Ex Expressions::magnitude(const Ex& argument) {
@@ -267,9 +286,9 @@ Ex Expressions::magnitude(const Ex& argument) {
   const NodeData& data = nodes_[argument.node];
   if (data.positive) return {size, argument.node};
   if (data.kind != ExpressionKind::product)
-    return {size, make(ExpressionKind::magnitude, {{argument.node, 1, {}}})};
-  std::vector<std::pair<Ex, int>> factors{{{size, 0}, 1}};
-  for (const Item& item : std::vector<Item>(data.items)) {
+    return {size, make(ExpressionKind::magnitude, std::array{Item{argument.node, 1, {}}})};
+  std::vector<ExPower> factors{{{size, 0}, 1}};
+  for (const Item& item : data.items) {
     const bool even = item.exponent % 2 == 0;
     factors.emplace_back(even ? Ex{{}, item.node} : magnitude({{}, item.node}), item.exponent);
   }

@@ -5,12 +5,14 @@
 // depends on nothing but the calls: the same in every run.
 #pragma once
 
+#include <boost/container/small_vector.hpp>
+#include <cstddef>
 #include <cstdint>
-#include <functional>
+#include <initializer_list>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -41,32 +43,64 @@ struct Item {
   friend bool operator==(const Item&, const Item&) = default;
 };
 
+/// Those of an expression that is being made: nearly all have few, which need no heap.
+using ItemList = boost::container::small_vector<Item, 12>;
+
+/// A factor of a product: a power.
+using ExPower = std::pair<Ex, int>;
+
 struct NodeData {
   ExpressionKind kind = ExpressionKind::one;
   bool positive = true;  ///< for all values of its symbols, of which none is zero
   std::uint32_t name = 0;
-  std::vector<Item> items;  ///< by node number
-  std::size_t hash = 0;
+  std::span<const Item> items;  ///< by node number
 };
 
-/// Nodes, which stay where they are when more come; a place is found by a shift, where std::deque
-/// divides.
+/// Nodes and their items, which stay where they are when more come; a place is found by a shift,
+/// where std::deque divides.
 class NodeStore {
  public:
   std::size_t size() const { return size_; }
   NodeData& operator[](std::size_t i) { return chunks_[i / chunk][i % chunk]; }
   const NodeData& operator[](std::size_t i) const { return chunks_[i / chunk][i % chunk]; }
-  NodeData& back() { return (*this)[size_ - 1]; }
-  void push_back(NodeData node) {
-    if (size_ == chunks_.size() * chunk) chunks_.push_back(std::make_unique<NodeData[]>(chunk));
-    (*this)[size_++] = std::move(node);
-  }
-  void pop_back() { --size_; }
+  /// Of the node the items are kept, too.
+  void push_back(NodeData node);
 
  private:
   static constexpr std::size_t chunk = 256;
   std::vector<std::unique_ptr<NodeData[]>> chunks_;
   std::size_t size_ = 0;
+  std::vector<std::unique_ptr<Item[]>> item_chunks_;
+  std::span<Item> left_;  ///< of the last of these
+};
+
+/// Which nodes there are, by a hash of what they are: a table with open addressing, as most
+/// expressions that are made are known.
+class KnownNodes {
+ public:
+  /// The node with that hash for which `same` holds, or `next`, which is then known.
+  template <class Same>
+  ExNode find_or_add(std::uint64_t hash, ExNode next, const Same& same) {
+    if (2 * count_ >= slots_.size()) grow();
+    const auto mark = static_cast<std::uint32_t>(hash >> 32);
+    std::size_t at = mark & (slots_.size() - 1);
+    for (; slots_[at].node != none; at = (at + 1) & (slots_.size() - 1))
+      if (slots_[at].mark == mark && same(slots_[at].node)) return slots_[at].node;
+    ++count_;
+    slots_[at] = {mark, next};
+    return next;
+  }
+
+ private:
+  static constexpr ExNode none = std::numeric_limits<ExNode>::max();
+  struct Slot {
+    std::uint32_t mark = 0;
+    ExNode node = none;
+  };
+  void grow();
+
+  std::size_t count_ = 0;
+  std::vector<Slot> slots_ = std::vector<Slot>(2048);
 };
 
 class Expressions {
@@ -84,14 +118,20 @@ class Expressions {
   bool is_positive(const Ex& ex) const { return !ex.factor.negative() && nodes_[ex.node].positive; }
   static Ex number(std::int64_t over, std::int64_t under = 1) { return {reduced(over, under), 0}; }
 
-  Ex add(const Ex& a, const Ex& b) { return sum({a, b}); }
-  Ex subtract(const Ex& a, const Ex& b) { return sum({a, negative(b)}); }
+  Ex add(const Ex& a, const Ex& b) {
+    const Ex both[] = {a, b};
+    return sum(both);
+  }
+  Ex subtract(const Ex& a, const Ex& b) { return add(a, negative(b)); }
   Ex multiply(const Ex& a, const Ex& b) { return product({{a, 1}, {b, 1}}); }
   Ex divide(const Ex& a, const Ex& b) { return product({{a, 1}, {b, -1}}); }
   Ex power(const Ex& a, int exponent) { return product({{a, exponent}}); }
   static Ex negative(Ex a) { return {-a.factor, a.node}; }
-  Ex sum(std::vector<Ex> terms);
-  Ex product(const std::vector<std::pair<Ex, int>>& factors);
+  Ex sum(std::span<const Ex> terms);
+  Ex product(std::span<const ExPower> factors);
+  Ex product(std::initializer_list<ExPower> factors) {
+    return product(std::span(factors.begin(), factors.size()));
+  }
   Ex root(const Ex& argument);
   Ex magnitude(const Ex& argument);
 
@@ -114,20 +154,11 @@ class Expressions {
   void allow(std::size_t work) { allowed_ = work_ + work; }
 
   /// The node of the items as they are: a sum or product part of a larger one.
-  ExNode make(ExpressionKind kind, std::vector<Item> items);
+  ExNode make(ExpressionKind kind, std::span<const Item> items);
 
  private:
-  struct Hash {
-    const Expressions* all;
-    std::size_t operator()(ExNode node) const { return all->nodes_[node].hash; }
-  };
-  struct Same {
-    const Expressions* all;
-    bool operator()(ExNode a, ExNode b) const;
-  };
-
-  bool is_positive(ExpressionKind kind, const std::vector<Item>& items) const;
-  void multiply_into(std::vector<Item>& items, SmallFraction& factor, std::vector<Item>& under_root,
+  bool is_positive(ExpressionKind kind, std::span<const Item> items) const;
+  void multiply_into(ItemList& items, SmallFraction& factor, ItemList& under_root,
                      SmallFraction& root_factor, const Ex& base, int exponent);
 
   mutable std::size_t work_ = 0;
@@ -141,7 +172,7 @@ class Expressions {
     ExNode symbol = 0;
   };
   std::vector<Name> names_;
-  std::unordered_set<ExNode, Hash, Same> known_;
+  KnownNodes known_;
 };
 
 }  // namespace vcrit::symbolic::shortest

@@ -3,6 +3,7 @@
 // part of its own.
 #include <algorithm>
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -46,7 +47,7 @@ bool Steps::cancel_in_front(ExNode omega) {
     if (part.sign > 0 || steps_[part.step].kind != FormulaStep::Kind::symbol) continue;
     const Ex meaning = all_.meaning(steps_[part.step].node);
     if (!meaning.factor.is_one() || all_[meaning.node].kind != ExpressionKind::product) continue;
-    const std::vector<Item>& items = all_[meaning.node].items;
+    const std::span<const Item> items = all_[meaning.node].items;
     const auto is = [&](std::size_t i, bool is_omega) {
       return items[i].exponent == 1 && (items[i].node == omega) == is_omega &&
              all_[items[i].node].kind == ExpressionKind::symbol;

@@ -24,14 +24,14 @@ class Alternatives {
   }
 
  private:
-  using Items = std::vector<Item>;
+  using Items = std::span<const Item>;
   struct Power {
     ExNode node;
     int exponent;
     friend bool operator==(const Power&, const Power&) = default;
   };
 
-  const Items& items(ExNode node) const { return all_[node].items; }
+  Items items(ExNode node) const { return all_[node].items; }
 
   void offer(const Ex& ex) {
     const Ex same{{}, node_};
@@ -55,7 +55,7 @@ class Alternatives {
     std::vector<Ex> left;
     left.reserve(terms.size());
     for (const Item& term : terms) left.push_back(over(term, power));
-    return all_.sum(std::move(left));
+    return all_.sum(left);
   }
 
   static void remember(std::vector<Power>& powers, const Power& power) {
@@ -98,9 +98,8 @@ class Alternatives {
         without.push_back({term.factor, term.node});
     }
     if (with.size() < 2 || without.empty()) return;
-    without.push_back(
-        all_.product({{all_.sum(std::move(with)), 1}, {{{}, power.node}, power.exponent}}));
-    offer(all_.sum(std::move(without)));
+    without.push_back(all_.product({{all_.sum(with), 1}, {{{}, power.node}, power.exponent}}));
+    offer(all_.sum(without));
   }
 
   /// The term's product with a sum among its factors multiplied out.
@@ -113,7 +112,7 @@ class Alternatives {
         whole.push_back(all_.multiply(rest, {part.factor, part.node}));
       for (const Item& other : terms)
         if (other.node != term.node) whole.push_back({other.factor, other.node});
-      offer(all_.sum(std::move(whole)));
+      offer(all_.sum(whole));
     }
   }
 
@@ -137,7 +136,7 @@ class Alternatives {
   }
 
   Ex product_without(std::span<const Item> factors, ExNode a, ExNode b) {
-    std::vector<std::pair<Ex, int>> rest;
+    std::vector<ExPower> rest;
     rest.reserve(factors.size());
     for (const Item& factor : factors)
       if (factor.node != a && factor.node != b)
@@ -232,9 +231,9 @@ class Replacing {
     if (data.kind == ExpressionKind::sum) {
       std::vector<Ex> terms;
       for (const Item& item : data.items) terms.push_back(scaled(item));
-      made_[i] = all_.sum(std::move(terms));
+      made_[i] = all_.sum(terms);
     } else if (data.kind == ExpressionKind::product) {
-      std::vector<std::pair<Ex, int>> factors;
+      std::vector<ExPower> factors;
       for (const Item& item : data.items) factors.emplace_back(part(item), item.exponent);
       made_[i] = all_.product(factors);
     } else if (data.kind == ExpressionKind::root) {

@@ -1,6 +1,7 @@
 #include "shortest/steps.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/container/small_vector.hpp>
 #include <optional>
 
@@ -118,7 +119,7 @@ std::uint32_t Steps::definition(const Ex& meaning) {
   return put(std::move(step));
 }
 
-std::uint32_t Steps::put(FormulaStep step) {
+std::uint32_t Steps::put(FormulaStep&& step) {
   step.sort_parts();
   all_.spend(steps_.size() / 16);
   for (std::uint32_t i = 0; i < steps_.size(); ++i) {
@@ -127,6 +128,10 @@ std::uint32_t Steps::put(FormulaStep step) {
         old.number == step.number && old.exponent == step.exponent && old.parts == step.parts)
       return i;
   }
+  return append(std::move(step));
+}
+
+std::uint32_t Steps::append(FormulaStep&& step) {
   steps_.push_back(std::move(step));
   return static_cast<std::uint32_t>(steps_.size() - 1);
 }
@@ -143,10 +148,10 @@ std::uint32_t Steps::of(const SmallFraction& factor, ExNode node) {
   if (size.is_one()) return of(node);
   if (all_[node].kind == ExpressionKind::product) return product(size, all_[node].items);
   if (node == 0) return size.under == 1 ? number(size.over) : product(size, {});
-  return product(size, {{node, 1, {}}});
+  return product(size, std::array{Item{node, 1, {}}});
 }
 
-std::uint32_t Steps::product(const SmallFraction& factor, const std::vector<Item>& items) {
+std::uint32_t Steps::product(const SmallFraction& factor, std::span<const Item> items) {
   FormulaStep step;
   step.kind = FormulaStep::Kind::product;
   if (factor.over != 1) step.parts.push_back({number(factor.over), 1});
@@ -181,8 +186,9 @@ std::uint32_t Steps::product(const SmallFraction& factor, const std::vector<Item
 }
 
 std::uint32_t Steps::of(ExNode node) {
-  for (const auto& [known, step] : known_)
-    if (known == node) return step;
+  const std::size_t remainder = node % last_known_.size();
+  for (std::uint32_t at = last_known_[remainder]; at != 0; at = known_[at - 1].before)
+    if (known_[at - 1].node == node) return known_[at - 1].step;
   const NodeData& data = all_[node];
   FormulaStep step;
   std::uint32_t made = 0;
@@ -190,9 +196,10 @@ std::uint32_t Steps::of(ExNode node) {
     case ExpressionKind::one:
       made = number(1);
       break;
-    case ExpressionKind::symbol:
+    case ExpressionKind::symbol:  // of which there is no step yet
       step.node = node;
-      made = put(std::move(step));
+      all_.spend(steps_.size() / 16);
+      made = append(std::move(step));
       break;
     case ExpressionKind::product:
       made = product({}, data.items);
@@ -211,12 +218,14 @@ std::uint32_t Steps::of(ExNode node) {
       made = put(std::move(step));
       break;
   }
-  known_.emplace_back(node, made);
+  known_.push_back({node, made, last_known_[remainder]});
+  last_known_[remainder] = static_cast<std::uint32_t>(known_.size());
   return made;
 }
 
-void Steps::replace(std::uint32_t in, const StepParts& common, std::uint32_t by) {
-  const std::optional<int> sign = sign_in(steps_[in], common, mask_of(common));
+void Steps::replace(std::uint32_t in, const StepParts& common, std::uint64_t mask,
+                    std::uint32_t by) {
+  const std::optional<int> sign = sign_in(steps_[in], common, mask);
   if (!sign) return;
   StepParts& parts = steps_[in].parts;
   const auto is_common = [&](const StepPart& part) {
@@ -271,7 +280,7 @@ StepParts Steps::most_shared(const StepNumbers& sets) const {
   return best;
 }
 
-bool Steps::share_best(const StepNumbers& sets) {
+bool Steps::share_best(StepNumbers& sets) {
   all_.spend(sets.size() * sets.size() / 8);
   StepParts best = most_shared(sets);
   if (best.empty()) return false;
@@ -298,17 +307,18 @@ bool Steps::share_best(const StepNumbers& sets) {
     steps_.push_back(std::move(step));
   }
   for (const std::uint32_t set : sets)
-    if (set != shared) replace(set, best, shared);
+    if (set != shared && (mask & ~steps_[set].mask) == 0) replace(set, best, mask, shared);
+  if (shared > sets.back()) sets.push_back(shared);
+  const auto is_one_part = [this](std::uint32_t set) { return steps_[set].parts.size() < 2; };
+  sets.erase(std::remove_if(sets.begin(), sets.end(), is_one_part), sets.end());
   return true;
 }
 
 void Steps::share(FormulaStep::Kind kind) {
-  for (bool more = true; more;) {
-    StepNumbers sets;
-    for (std::uint32_t i = 0; i < steps_.size(); ++i)
-      if (steps_[i].kind == kind && i != whole() && steps_[i].parts.size() >= 2) sets.push_back(i);
-    more = sets.size() >= 2 && share_best(sets);
-  }
+  StepNumbers sets;
+  for (std::uint32_t i = 0; i < steps_.size(); ++i)
+    if (steps_[i].kind == kind && i != whole() && steps_[i].parts.size() >= 2) sets.push_back(i);
+  while (sets.size() >= 2 && share_best(sets)) continue;
 }
 
 std::uint32_t Steps::halve(std::uint32_t sum) {

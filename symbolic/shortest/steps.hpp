@@ -3,8 +3,10 @@
 // with a name for each step that is used more than once.
 #pragma once
 
+#include <array>
 #include <boost/container/small_vector.hpp>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -82,14 +84,16 @@ class Steps {
   std::uint32_t of(ExNode node);
   std::uint32_t of(const SmallFraction& factor, ExNode node);
   std::uint32_t number(std::int64_t value);
-  std::uint32_t put(FormulaStep step);
-  std::uint32_t product(const SmallFraction& factor, const std::vector<Item>& items);
+  std::uint32_t put(FormulaStep&& step);
+  std::uint32_t append(FormulaStep&& step);
+  std::uint32_t product(const SmallFraction& factor, std::span<const Item> items);
   void share(FormulaStep::Kind kind);
   SetMasks masks_of_shared(const StepNumbers& sets) const;
   /// The most parts that two of these steps have in common; none where it is less than two.
   StepParts most_shared(const StepNumbers& sets) const;
-  bool share_best(const StepNumbers& sets);
-  void replace(std::uint32_t in, const StepParts& common, std::uint32_t by);
+  /// Leaves in `sets` those that may have more in common.
+  bool share_best(StepNumbers& sets);
+  void replace(std::uint32_t in, const StepParts& common, std::uint64_t mask, std::uint32_t by);
   void count();
   std::uint32_t without(std::uint32_t product, const StepPart& factor);
   std::uint32_t times(std::uint32_t step, std::uint32_t factor);
@@ -105,7 +109,13 @@ class Steps {
 
   const Expressions& all_;
   FormulaSteps steps_;
-  boost::container::small_vector<std::pair<ExNode, std::uint32_t>, 64> known_;
+  /// The step of a node, and where the one before it with the same remainder is, from 1 on.
+  struct KnownStep {
+    ExNode node;
+    std::uint32_t step, before;
+  };
+  boost::container::small_vector<KnownStep, 64> known_;
+  std::array<std::uint32_t, 64> last_known_{};  ///< of each remainder
   std::vector<std::uint32_t> wholes_;
   int operations_ = 0, shared_ = 0;
 };
