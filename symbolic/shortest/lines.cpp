@@ -154,7 +154,7 @@ bool Lines::has_line(Index i) const {
 }
 
 bool Lines::is_defined(Index i) const {
-  const std::vector<Index>& wholes = steps_.wholes();
+  const StepNumbers& wholes = steps_.wholes();
   return std::find(wholes.begin(), wholes.end() - 1, i) != wholes.end() - 1;
 }
 

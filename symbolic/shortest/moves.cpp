@@ -229,13 +229,13 @@ class Replacing {
       return Ex{ex.factor * item.factor, ex.node};
     };
     if (data.kind == ExpressionKind::sum) {
-      std::vector<Ex> terms;
-      for (const Item& item : data.items) terms.push_back(scaled(item));
-      made_[i] = all_.sum(terms);
+      terms_.clear();
+      for (const Item& item : data.items) terms_.push_back(scaled(item));
+      made_[i] = all_.sum(terms_);
     } else if (data.kind == ExpressionKind::product) {
-      std::vector<ExPower> factors;
-      for (const Item& item : data.items) factors.emplace_back(part(item), item.exponent);
-      made_[i] = all_.product(factors);
+      factors_.clear();
+      for (const Item& item : data.items) factors_.emplace_back(part(item), item.exponent);
+      made_[i] = all_.product(factors_);
     } else if (data.kind == ExpressionKind::root) {
       made_[i] = all_.root(scaled(data.items[0]));
     } else {
@@ -247,6 +247,8 @@ class Replacing {
   const std::vector<ExNode>& order_;
   std::vector<Ex> made_;
   std::vector<char> changed_;
+  std::vector<Ex> terms_;  // of what is being made, as the next
+  std::vector<ExPower> factors_;
 };
 
 }  // namespace

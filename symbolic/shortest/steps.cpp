@@ -100,7 +100,7 @@ int step_operations(const FormulaStep& step, const Expressions& all) {
   }
 }
 
-Steps::Steps(const Expressions& all, const std::vector<Ex>& wholes) : all_(all) {
+Steps::Steps(const Expressions& all, std::span<const Ex> wholes) : all_(all) {
   for (std::size_t i = 0; i + 1 < wholes.size(); ++i) wholes_.push_back(definition(wholes[i]));
   wholes_.push_back(of(wholes.back().factor, wholes.back().node));
   share(FormulaStep::Kind::sum);

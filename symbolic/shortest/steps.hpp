@@ -22,7 +22,7 @@ struct StepPart {
 };
 
 /// A search makes millions of steps, nearly all of few parts: these need no heap.
-using StepParts = boost::container::small_vector<StepPart, 4>;
+using StepParts = boost::container::small_vector<StepPart, 6>;
 
 struct FormulaStep {
   enum class Kind : std::uint8_t { symbol, number, sum, product, power, root, magnitude };
@@ -59,17 +59,17 @@ struct SetMasks {
 
 class Steps {
  public:
-  Steps(const Expressions& all, const Ex& whole) : Steps(all, std::vector{whole}) {}
+  Steps(const Expressions& all, const Ex& whole) : Steps(all, std::span(&whole, 1)) {}
   /// Several expressions, of which a part that they share is one step: definitions, with their
   /// signs, then the whole, which is taken to be positive.
-  Steps(const Expressions& all, const std::vector<Ex>& wholes);
+  Steps(const Expressions& all, std::span<const Ex> wholes);
 
   int operations() const { return operations_; }
   /// Steps that are used more than once.
   int shared() const { return shared_; }
   const FormulaSteps& steps() const { return steps_; }
   std::uint32_t whole() const { return wholes_.back(); }
-  const std::vector<std::uint32_t>& wholes() const { return wholes_; }
+  const StepNumbers& wholes() const { return wholes_; }
   /// a b + a c = a (b + c) and a (b + c/a) = a b + c where that is shorter: what the sharing of
   /// steps has left.
   void take_out_factors();
@@ -116,7 +116,7 @@ class Steps {
   };
   boost::container::small_vector<KnownStep, 64> known_;
   std::array<std::uint32_t, 64> last_known_{};  ///< of each remainder
-  std::vector<std::uint32_t> wholes_;
+  StepNumbers wholes_;
   int operations_ = 0, shared_ = 0;
 };
 
