@@ -11,12 +11,6 @@ namespace {
 
 std::uint64_t bit(std::uint32_t step) { return std::uint64_t{1} << (step % 64); }
 
-std::uint64_t mask_of(const StepParts& parts) {
-  std::uint64_t mask = 0;
-  for (const StepPart& part : parts) mask |= bit(part.step);
-  return mask;
-}
-
 bool has_bits(std::uint64_t mask, std::size_t least) {
   for (; least > 1 && mask != 0; --least) mask &= mask - 1;
   return mask != 0;
@@ -78,7 +72,11 @@ std::optional<int> sign_in(const FormulaStep& step, const StepParts& parts, std:
 
 void FormulaStep::sort_parts() {
   std::sort(parts.begin(), parts.end());
-  mask = mask_of(parts);
+  mask = 0, distinct = true;
+  for (const StepPart& part : parts) {
+    distinct = distinct && (mask & bit(part.step)) == 0;
+    mask |= bit(part.step);
+  }
 }
 
 int step_operations(const FormulaStep& step, const Expressions& all) {
@@ -237,44 +235,25 @@ void Steps::replace(std::uint32_t in, const StepParts& common, std::uint64_t mas
   steps_[in].sort_parts();
 }
 
-SetMasks Steps::masks_of_shared(const StepNumbers& sets) const {
-  SetMasks result;
-  if (steps_.size() <= 64) {
-    for (const std::uint32_t set : sets) result.put(steps_[set].mask, set);
-    return result;
-  }
-  boost::container::small_vector<std::uint32_t, 128> labels(steps_.size(), 0);  // first: sets
-  for (const std::uint32_t set : sets)
-    for (const StepPart& part : steps_[set].parts) ++labels[part.step];
-  constexpr std::uint32_t unshared = ~std::uint32_t{0};
-  std::uint32_t count = 0;
-  for (std::uint32_t& label : labels) label = label >= 2 ? count++ : unshared;
-  result.exact = count <= 64;
-  for (const std::uint32_t set : sets) {
-    std::uint64_t mask = 0;
-    for (const StepPart& part : steps_[set].parts)
-      if (labels[part.step] != unshared) mask |= bit(labels[part.step]);
-    result.put(mask, set);
-  }
-  return result;
-}
-
 StepParts Steps::most_shared(const StepNumbers& sets) const {
-  const SetMasks all = masks_of_shared(sets);
-  const std::uint64_t* const masks = all.masks.data();
-  const std::size_t size = all.masks.size();
-  std::size_t least = all.exact ? 2 : 1;  // bits of two sets that are worth a look
+  boost::container::small_vector<std::uint64_t, 64> masks;
+  for (const std::uint32_t set : sets) masks.push_back(steps_[set].mask);
   StepParts best;
-  for (std::size_t i = 0; i < size; ++i) {
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    // Two parts in common are two bits, unless they have the same one.
+    const FormulaStep& a = steps_[sets[i]];
+    const auto one = static_cast<std::uint64_t>(a.distinct);
     std::uint64_t any = 0;  // of most sets none, which is found without a branch
-    for (std::size_t j = i + 1; j < size; ++j) any |= all.beyond_one(masks[i] & masks[j]);
-    for (std::size_t j = i + 1; any != 0 && j < size; ++j) {
-      if (!has_bits(masks[i] & masks[j], least)) continue;
-      const FormulaStep &a = steps_[all.sets[i]], &b = steps_[all.sets[j]];
+    for (std::size_t j = i + 1; j < sets.size(); ++j) {
+      const std::uint64_t both = masks[i] & masks[j];
+      any |= both & (both - one);
+    }
+    for (std::size_t j = i + 1; any != 0 && j < sets.size(); ++j) {
+      const std::size_t least = std::max<std::size_t>(2, best.size() + 1);
+      if (!has_bits(masks[i] & masks[j], a.distinct ? least : 1)) continue;
+      const FormulaStep& b = steps_[sets[j]];
       const Common common = count_common(a, b);
-      if (common.larger() < 2 || common.larger() <= best.size()) continue;
-      best = common_parts(a, b, common);
-      if (all.exact) least = best.size() + 1;
+      if (common.larger() >= least) best = common_parts(a, b, common);
     }
   }
   return best;
@@ -284,7 +263,8 @@ bool Steps::share_best(StepNumbers& sets) {
   all_.spend(sets.size() * sets.size() / 8);
   StepParts best = most_shared(sets);
   if (best.empty()) return false;
-  const std::uint64_t mask = mask_of(best);
+  std::uint64_t mask = 0;
+  for (const StepPart& part : best) mask |= bit(part.step);
   // Where it is all of a step, that step is it.
   std::uint32_t shared = static_cast<std::uint32_t>(steps_.size());
   for (const std::uint32_t set : sets)

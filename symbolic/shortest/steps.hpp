@@ -33,6 +33,7 @@ struct FormulaStep {
   StepParts parts;
   int uses = 0;
   std::uint64_t mask = 0;  ///< of the parts' steps: disjoint masks have no part in common
+  bool distinct = true;    ///< no two parts have the same bit of the mask
   void sort_parts();
 };
 
@@ -40,22 +41,6 @@ struct FormulaStep {
 using FormulaSteps = boost::container::small_vector<FormulaStep, 64>;
 
 using StepNumbers = boost::container::small_vector<std::uint32_t, 64>;
-
-/// Sums or products that may have parts in common, with a bit for each part that is in others, too.
-struct SetMasks {
-  boost::container::small_vector<std::uint64_t, 64> masks;
-  StepNumbers sets;
-  bool exact = true;  ///< no bit stands for several parts
-  /// Not 0 where the mask may stand for more than one part.
-  std::uint64_t beyond_one(std::uint64_t mask) const {
-    return mask & (mask - static_cast<std::uint64_t>(exact));
-  }
-  void put(std::uint64_t mask, std::uint32_t set) {
-    if (beyond_one(mask) == 0) return;
-    masks.push_back(mask);
-    sets.push_back(set);
-  }
-};
 
 class Steps {
  public:
@@ -88,7 +73,6 @@ class Steps {
   std::uint32_t append(FormulaStep&& step);
   std::uint32_t product(const SmallFraction& factor, std::span<const Item> items);
   void share(FormulaStep::Kind kind);
-  SetMasks masks_of_shared(const StepNumbers& sets) const;
   /// The most parts that two of these steps have in common; none where it is less than two.
   StepParts most_shared(const StepNumbers& sets) const;
   /// Leaves in `sets` those that may have more in common.
