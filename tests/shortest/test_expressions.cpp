@@ -1,6 +1,9 @@
 // Expressions have one form; moves change how they are written, never what they are.
 #include <boost/test/unit_test.hpp>
 
+#include <string>
+#include <vector>
+
 #include "shortest/expressions.hpp"
 #include "shortest/moves.hpp"
 #include "shortest/search.hpp"
@@ -55,6 +58,17 @@ BOOST_FIXTURE_TEST_CASE(what_is_written_twice_counts_once, Names) {
   BOOST_TEST(operations(sum(square(times(a, b)), times(a, b))) == 3);
   BOOST_TEST(operations(all.divide(sum(sum(a, b), c), sum(sum(a, b), d))) == 4);
   BOOST_TEST(operations(all.multiply(all.number(17, 14), a)) == 2);
+}
+
+// (x0 + x64 + a) (x0 + x64 + b) x0 ... x65: by hand, x0 + x64 is one operation, each sum another,
+// and 68 factors are 67.
+BOOST_FIXTURE_TEST_CASE(terms_in_common_are_found_among_many, Names) {
+  std::vector<Ex> symbols;
+  for (int i = 0; i < 66; ++i) symbols.push_back(all.symbol("x" + std::to_string(i)));
+  const Ex both = sum(symbols[0], symbols[64]);
+  Ex whole = times(sum(both, a), sum(both, b));
+  for (const Ex& symbol : symbols) whole = times(whole, symbol);
+  BOOST_TEST(operations(whole) == 70);
 }
 
 BOOST_FIXTURE_TEST_CASE(moves_keep_the_value, Names) {
