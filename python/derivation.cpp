@@ -1,10 +1,14 @@
 // The derivation, as one of the documents that `vcrit derive` prints.
 #include <chrono>
 #include <map>
+#include <memory>
 #include <mutex>
 
 #include "bindings.hpp"
+#include "document/findings.hpp"
 #include "document/print.hpp"
+#include "formula/algebra_lock.hpp"
+#include "formula/names.hpp"
 #include "interrupt.hpp"
 
 namespace vcrit::python {
@@ -53,6 +57,23 @@ std::unique_lock<std::timed_mutex> alone() {
   return lock;
 }
 
+/// Documents without limits and sensitivities differ in markup alone, and several are asked for one
+/// after the other: what was found out last is kept for them.
+std::string of_last_findings(const Problem& problem, const symbolic::DocumentOptions& options) {
+  struct Found {
+    Problem problem;
+    symbolic::Findings findings;
+  };
+  static auto* const last = new std::unique_ptr<Found>;  // never ended: GiNaC may end before it
+  symbolic::check_options(options);
+  const symbolic::AlgebraLock lock;
+  const symbolic::NamesOfScene names(problem);
+  if (!*last || &*(*last)->problem != &*problem || (*last)->findings.form != options.form)
+    *last = std::make_unique<Found>(Found{problem, findings_of(problem, options)});
+  return print_findings(problem, (*last)->findings, options.format, options.system,
+                        options.standalone);
+}
+
 std::string document(const Problem& problem, const std::string& format, const std::string& form,
                      bool limits, bool sensitivities, bool standalone) {
   symbolic::DocumentOptions options;
@@ -64,7 +85,8 @@ std::string document(const Problem& problem, const std::string& format, const st
   options.standalone = standalone;
   const OthersRun others_run;
   const auto lock = alone();
-  return symbolic::print(problem, options);
+  return limits || sensitivities ? symbolic::print(problem, options)
+                                 : of_last_findings(problem, options);
 }
 
 }  // namespace

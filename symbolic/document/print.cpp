@@ -35,9 +35,13 @@ void check_standalone(const DocumentOptions& options) {
 
 }  // namespace
 
-std::string print(const Problem& problem, const DocumentOptions& options) {
+void check_options(const DocumentOptions& options) {
   if (options.format == Format::system) check_system(options);
   check_standalone(options);
+}
+
+std::string print(const Problem& problem, const DocumentOptions& options) {
+  check_options(options);
   const std::string document = [&] {
     const AlgebraLock lock;
     const NamesOfScene names(problem);

@@ -30,9 +30,12 @@ struct DocumentOptions {
 /// Systems that take the formula: "sympy", ..., in the order of --format.
 const std::vector<std::string>& system_names();
 
+/// Throws InputError for a system with limits or sensitivities, and for what cannot be standalone.
+void check_options(const DocumentOptions& options);
+
 /// What `vcrit derive` prints; the same bytes in every run. Throws ModelError where the rational
 /// or the expanded form is beyond the budget and where storage and loss cannot be written out, and
-/// InputError for a system with limits or sensitivities, and for what cannot be standalone.
+/// InputError as check_options() does.
 std::string print(const Problem& problem, const DocumentOptions& options);
 
 }  // namespace vcrit::symbolic

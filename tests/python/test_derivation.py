@@ -39,6 +39,12 @@ class Derivation(unittest.TestCase):
         nested = vcrit.derive(vcrit.Scene(KELVIN), form="nested")
         self.assertEqual(nested.text, program("derive", KELVIN, "--form", "nested").stdout)
 
+    def test_in_two_forms_by_turns_stays_apart(self):
+        scene, forms = vcrit.Scene(KELVIN), ("shortest", "nested")
+        derivations = [vcrit.derive(scene, form=form) for form in forms]
+        for form, derivation in list(zip(forms, derivations)) * 2:
+            self.assertEqual(derivation.text, program("derive", KELVIN, "--form", form).stdout)
+
     # By hand: Eq. (31), mu0 omega du_z kn/kt.
     def test_of_an_elastic_contact_is_equation_31(self):
         derivation = derive(ELASTIC)
