@@ -22,7 +22,7 @@ void add_eval(CLI::App& program);
 void add_generate(CLI::App& program);
 void add_simulate(CLI::App& program);
 void add_critical(CLI::App& program, int& status);
-/// `argv` as the program got it: for another one, which sweeps.
+/// `argv` as the program got it: for another one, which writes arrays.
 void add_sweep(CLI::App& program, char** argv);
 void add_plot(CLI::App& program);
 void add_explore(CLI::App& program);

@@ -1,5 +1,5 @@
-// vcrit sweep: becomes the program that sweeps. Loading netCDF, MPI and the forty libraries behind
-// them takes more than half of the time in which any other command starts and answers.
+// vcrit sweep: tables here, arrays by a program that this one becomes. Loading netCDF, MPI and the
+// forty libraries behind them takes longer than most commands take to start and answer.
 #include <fmt/format.h>
 #include <unistd.h>
 #include <CLI/CLI.hpp>
@@ -9,6 +9,8 @@
 #include <filesystem>
 
 #include "commands.hpp"
+#include "maps/map_file.hpp"
+#include "maps/ranks.hpp"
 #include "program.hpp"
 #include "sweep_options.hpp"
 
@@ -31,7 +33,11 @@ void become_sweeper(char** argv) {
 }  // namespace
 
 void add_sweep(CLI::App& program, char** argv) {
-  add_sweep(program, [argv](const SweepOptions&) { become_sweeper(argv); });
+  add_sweep(program, [argv](const SweepOptions& options) {
+    if (maps::started_ranks() > 1 || maps::is_array(options.out)) become_sweeper(argv);
+    maps::Ranks alone;
+    run_sweep(options, alone);
+  });
 }
 
 }  // namespace vcrit::app

@@ -1,5 +1,5 @@
-// The command `sweep` as it is written: known to `vcrit`, which tells of it and starts the program
-// that sweeps, and to that program.
+// The command `sweep`, as it is written and what it does: for `vcrit`, and for the program that it
+// becomes for arrays.
 #pragma once
 
 #include <functional>
@@ -26,5 +26,8 @@ struct SweepOptions {
 
 /// Registers the command; `run` is its callback.
 void add_sweep(CLI::App& program, std::function<void(const SweepOptions&)> run);
+
+/// Prints the table, or writes the file together with the other ranks.
+void run_sweep(const SweepOptions& options, maps::Ranks& ranks);
 
 }  // namespace vcrit::app

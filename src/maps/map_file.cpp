@@ -9,9 +9,6 @@
 #include "base/commit.hpp"
 #include "base/numbers.hpp"
 #include "maps/csv_map.hpp"
-#ifdef VCRIT_WITH_NETCDF
-#include "maps/netcdf_map.hpp"
-#endif
 #include "scene/stiffness_data.hpp"
 
 namespace vcrit::maps {
@@ -66,20 +63,22 @@ std::string signature(const Sweep& sweep) {
   return text + sweep.problem->source->text;
 }
 
-std::unique_ptr<MapFile> open_map(const Sweeping& sweeping, const std::filesystem::path& file,
-                                  bool resume, const Ranks& ranks) {
+bool is_array(const std::filesystem::path& file) {
   const std::string ending = file.extension();
-  if (ending == ".csv") return std::make_unique<CsvMap>(sweeping, file, resume, ranks);
-  if (ending == ".h5" || ending == ".hdf5" || ending == ".nc")
-#ifdef VCRIT_WITH_NETCDF
-    return std::make_unique<NetcdfMap>(sweeping, file, resume, ranks);
-#else
+  return ending == ".h5" || ending == ".hdf5" || ending == ".nc";
+}
+
+std::unique_ptr<MapFile> open_map(const Sweeping& sweeping, const std::filesystem::path& file,
+                                  bool resume, const Ranks& ranks, OpenMap* open_array) {
+  if (file.extension() == ".csv") return std::make_unique<CsvMap>(sweeping, file, resume, ranks);
+  if (!is_array(file))
+    throw InputError(argument("out"), fmt::format("\"{}\"", file.string()),
+                     "a file ending in .csv, .h5, .hdf5 or .nc");
+  if (open_array == nullptr)
     throw InputError(argument("out"),
                      fmt::format("\"{}\" and a vcrit built without netCDF", file.string()),
                      "a file ending in .csv", "or install libnetcdf-dev and build vcrit again");
-#endif
-  throw InputError(argument("out"), fmt::format("\"{}\"", file.string()),
-                   "a file ending in .csv, .h5, .hdf5 or .nc");
+  return open_array(sweeping, file, resume, ranks);
 }
 
 }  // namespace vcrit::maps

@@ -31,10 +31,18 @@ class MapFile {
   virtual void discard() = 0;
 };
 
-/// A table, or an array with named dimensions, by the ending: .csv, or .h5, .hdf5, .nc. With
-/// `resume`, an unfinished file is gone on with; without it, one that is there is an InputError.
+/// With `resume`, an unfinished file is gone on with; without it, one that is there is an
+/// InputError.
+using OpenMap = std::unique_ptr<MapFile>(const Sweeping& sweeping,
+                                         const std::filesystem::path& file, bool resume,
+                                         const Ranks& ranks);
+
+/// Whether the file is to be an array with named dimensions, by its ending: .h5, .hdf5 or .nc.
+bool is_array(const std::filesystem::path& file);
+
+/// A table, .csv, or what `open_array` opens: null where nothing here writes arrays.
 std::unique_ptr<MapFile> open_map(const Sweeping& sweeping, const std::filesystem::path& file,
-                                  bool resume, const Ranks& ranks);
+                                  bool resume, const Ranks& ranks, OpenMap* open_array);
 
 /// All that the values depend on, as text: an unfinished file is gone on with by the same sweep
 /// alone.

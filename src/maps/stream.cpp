@@ -171,7 +171,8 @@ Streamed stream(const Sweeping& sweeping, const std::filesystem::path& file,
                 const StreamOptions& options, Ranks& ranks) {
   std::unique_ptr<MapFile> map;
   // All ranks count the same blocks as open: nobody may write before everybody has read.
-  ranks.together([&] { map = open_map(sweeping, file, options.resume, ranks); });
+  ranks.together(
+      [&] { map = open_map(sweeping, file, options.resume, ranks, options.open_array); });
   Streamed result = Run(sweeping, *map, options, ranks).run();
   result.found = ranks.sum(result.found);
   result.outside = ranks.sum(result.outside);

@@ -18,7 +18,8 @@ struct StreamProgress {
 
 struct StreamOptions {
   bool resume = false;
-  int threads = 0;  ///< 0: as many as there are cores for this process
+  int threads = 0;                ///< 0: as many as there are cores for this process
+  OpenMap* open_array = nullptr;  ///< array_opener(), where this program has netCDF (arrays.hpp)
   std::function<void(const StreamProgress&)> told{};  ///< after each block, on the first rank
 };
 

@@ -14,7 +14,7 @@ ON_ONE = [word.replace(":30", ":50").replace(":20", ":30") for word in FRICTION]
 
 
 class ProgramOfItsOwn(Case):
-    """HDF5 and MPI are forty libraries, which take longer to load than an answer takes."""
+    """HDF5 and MPI are forty libraries, which take longer to load than an answer takes: arrays alone need them."""
 
     def test_no_other_command_loads_them(self):
         loaded = [subprocess.run(["ldd", program], capture_output=True, text=True, check=True).stdout
@@ -23,11 +23,11 @@ class ProgramOfItsOwn(Case):
             self.assertEqual("libhdf5" in libraries, has)
 
     def test_a_program_copied_alone_tells_what_it_lacks(self):
-        alone, out = shutil.copy(PROGRAM, self.folder), self.folder / "a.csv"
-        for words in (["eval", ZENER], ["sweep", "--help"]):
+        alone, out = shutil.copy(PROGRAM, self.folder), self.folder / "a.nc"
+        swept = ["sweep", ZENER, "--over", "mu0=lin:0.1:0.2:2", "--quantity", "critical_velocity"]
+        for words in (["eval", ZENER], ["sweep", "--help"], swept, [*swept, "--out", self.folder / "a.csv"]):
             self.done(subprocess.run([alone, *words], capture_output=True, text=True))
-        result = subprocess.run([alone, "sweep", ZENER, "--over", "mu0=lin:0.1:0.2:2", "--quantity",
-                                 "critical_velocity", "--out", out], capture_output=True, text=True)
+        result = subprocess.run([alone, *swept, "--out", out], capture_output=True, text=True)
         self.assertEqual(result.returncode, 2)
         self.assertRegex(result.stderr, r"^vcrit: .*/vcrit-sweep cannot be started \(No such file.*install all of vcrit")
         self.assertFalse(out.exists())

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/numbers.hpp"
+#include "maps/arrays.hpp"
 #include "maps/netcdf_file.hpp"
 #include "maps/part.hpp"
 #include "maps/stream.hpp"
@@ -45,6 +46,7 @@ maps::Streamed streamed(const Sweep& sweep, const fs::path& file, bool resume = 
   const Sweeping sweeping(sweep);
   maps::StreamOptions options;
   options.resume = resume;
+  options.open_array = maps::array_opener();
   if (stop_after > 0)
     options.told = [left = stop_after](const maps::StreamProgress&) mutable {
       if (--left == 0) throw std::runtime_error("stopped");
