@@ -3,6 +3,7 @@
     test_shell.py PROGRAM SHARE     SHARE holds man page and completions as they are installed
 """
 
+import functools
 import os
 import re
 import subprocess
@@ -30,6 +31,7 @@ def text_of(*command, folder=PROJECT):
     return subprocess.run(list(map(str, command)), cwd=folder, capture_output=True, text=True, check=True).stdout
 
 
+@functools.cache
 def help_of(command):
     return text_of(PROGRAM, *([command] if command else []), "--help")
 
