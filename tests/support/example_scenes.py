@@ -1,5 +1,6 @@
 """The scenes of the repository, and which of them have a formula of v*: the program says so, and no test by their names."""
 
+import functools
 import subprocess
 from pathlib import Path
 
@@ -8,9 +9,11 @@ SCENES = Path(__file__).resolve().parents[2] / "scenes"
 NO_FORMULA = "has no formula"
 
 
+@functools.cache
 def has_formula(program, scene):
-    """Whether `vcrit derive` has one. Anything but a formula or the refusal that there is none is an error."""
-    result = subprocess.run([program, "derive", scene], cwd=SCENES.parent, capture_output=True, text=True, timeout=300)
+    """Whether `vcrit derive` has one, in the form that takes no search. Anything but a formula or the refusal that there is
+    none is an error."""
+    result = subprocess.run([program, "derive", scene, "--form", "nested"], cwd=SCENES.parent, capture_output=True, text=True, timeout=300)
     if result.returncode == 0 and not result.stderr:
         return True
     if (result.returncode, result.stdout) == (3, "") and NO_FORMULA in result.stderr:
