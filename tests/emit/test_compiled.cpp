@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(each_header_compiles_alone) {
 BOOST_AUTO_TEST_CASE(fast_math_is_refused) {
   const test::Libraries libraries({test::kelvin_scene()});
   for (const std::string& compiler : test::compilers(libraries.folder())) {
-    const std::string complaints = libraries.compile(compiler, {"-ffast-math"});
+    const std::string complaints = libraries.compile(compiler, {"-ffast-math", "-Wfatal-errors"});
     BOOST_TEST(complaints.find("-ffast-math destroys") != std::string::npos, compiler);
   }
 }

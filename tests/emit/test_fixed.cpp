@@ -2,6 +2,7 @@
 // hold, and nothing is left of their names.
 #include <boost/test/unit_test.hpp>
 
+#include <map>
 #include <random>
 #include <regex>
 
@@ -120,16 +121,23 @@ BOOST_AUTO_TEST_CASE(fixed_and_unfixed_keep_their_bounds) {
   std::vector<Scene> scenes;
   std::vector<GenerateOptions> options;
   std::vector<Call> calls;
+  std::map<std::string, std::size_t> unfixed_of;  // one for all cases of a file
   for (const Case& each : cases()) {
     const std::size_t fixed = scenes.size();
-    scenes.insert(scenes.end(), 2, each.scene);
+    scenes.push_back(each.scene);
     options.push_back({each.fixed, false});
-    options.emplace_back();
+    const auto [unfixed, is_new] = unfixed_of.try_emplace(each.scene.file, scenes.size());
+    if (is_new) {
+      scenes.push_back(each.scene);
+      options.emplace_back();
+    }
     for (int n = 0; n < 8; ++n) {
       Call call;
       call.scene = varied(each.scene, each.fixed, random);
-      for (call.library = fixed; call.library < scenes.size(); ++call.library)
+      for (const std::size_t library : {fixed, unfixed->second}) {
+        call.library = library;
         calls.push_back(call);
+      }
     }
   }
   const test::Libraries libraries(scenes, test::Asked::values, options);
