@@ -136,8 +136,8 @@ class Builds {
     write("empty.c", "#include <math.h>\nint main(void) { return 0; }\n");
   }
 
-  /// Whether the compiler that answered with `complaints` has these flags, and what it takes to link
-  /// for their target.
+  /// Whether the compiler that answered with `complaints` has these flags, and what it takes to
+  /// link for their target.
   bool knows(const Compiler& compiler, const Words& flags, const std::string& complaints) {
     Words command{compiler.name, "-fsyntax-only", "-x", compiler.is_cpp ? "c++" : "c",
                   path("nothing")};
@@ -160,8 +160,8 @@ class Builds {
 
   /// The compiler's complaints, where an #error is the last.
   std::string compile(const Compiler& compiler, const Words& flags) {
-    Words command{compiler.name, compiler.is_cpp ? "-std=c++20" : "-std=c99", "-Wfatal-errors", "-I",
-                  path("")};
+    Words command{compiler.name, compiler.is_cpp ? "-std=c++20" : "-std=c99", "-Wfatal-errors",
+                  "-I", path("")};
     command.insert(command.end(), flags.begin(), flags.end());
     evaluate_ = path(fmt::format("{}{}.o", compiler.name, fmt::join(flags, "")));
     for (const std::string& word :

@@ -121,16 +121,9 @@ BOOST_AUTO_TEST_CASE(its_own_test_can_fail) {
   BOOST_TEST(test::run({program}, folder.path()).status == 1);
 }
 
-BOOST_AUTO_TEST_CASE(its_cmake_project_builds_and_tests) {
-  const test::PrivateFolder folder;
-  symbolic::generate(symbolic::derive(read_scene(VCRIT_SCENES "/kelvin.toml")), folder.path(),
-                     "kelvin");
-  build_and_test(folder);
-}
-
 // A second scene in the folder does not put the first one out of it; files of another hand that
 // end in .cmake are not read.
-BOOST_AUTO_TEST_CASE(two_scenes_in_one_folder_are_both_built_and_tested) {
+BOOST_AUTO_TEST_CASE(its_cmake_project_builds_and_tests_one_scene_and_two) {
   const test::PrivateFolder folder;
   symbolic::generate(symbolic::derive(read_scene(VCRIT_SCENES "/kelvin.toml")), folder.path(),
                      "pad");
