@@ -55,7 +55,7 @@ double ScaledContact::physical_force(double depth) const {
 }
 
 ScaledContact::Moment ScaledContact::at(double t) const {
-  Moment now{t, depth(t), depth_rate(t), 0, 0, 0};
+  Moment now = depths_at(t);
   double edge = 0;
   if (now.depth >= 0) {
     edge = gap_.half_width(now.depth * amplitude_);

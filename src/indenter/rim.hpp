@@ -37,6 +37,8 @@ class ScaledContact {
     double force_rate;  ///< as far as it is bounded
   };
   Moment at(double t) const;
+  /// Depth and its rate alone, the rest 0.
+  Moment depths_at(double t) const { return {t, depth(t), depth_rate(t), 0, 0, 0}; }
   /// Whether F_n' is not: then only a body or a damper keeps v* finite.
   bool force_rate_unbounded() const { return memory_ && memory_->rate_unbounded(); }
   bool touches(double t) const;

@@ -57,36 +57,29 @@ int RimMotion::direction() const {
   return mode_ == RimMode::backward ? -1 : 0;
 }
 
-// l_d of what a layer remembers at a depth: l_- = l_+ + 2 g.
-double RimMotion::level_of(const Layer& layer, double depth, double touched, int d) const {
-  if (layer.frozen != 0) return layer.level + (layer.frozen - d) * depth;
-  return touched_level(touched, d).value;
+/// Of the body, while cells touched and stuck.
+TimeStep::WithRate RimMotion::place_at(double t) const {
+  const auto step = std::partition_point(history_.begin(), history_.end() - 1,
+                                         [t](const TimeStep& each) { return each.end() < t; });
+  return step->with_rate(t, place_);
 }
 
-/// l_d of the cells that touched at a time, and its slope over that time.
-RimMotion::TouchedLevel RimMotion::touched_level(double touched, int d) const {
-  if (history_.empty()) return {};
-  const auto step =
-      std::partition_point(history_.begin(), history_.end() - 1,
-                           [touched](const TimeStep& each) { return each.end() < touched; });
-  const auto [place, speed] = step->with_rate(touched, place_);
-  return {place - d * contact_.depth(touched), speed - d * contact_.depth_rate(touched)};
-}
-
+/// l_d of what the innermost cells of a layer remember: l_- = l_+ + 2 g.
 double RimMotion::inner_level(const Layer& layer, int d) const {
-  return level_of(layer, layer.from, layer.touched, d);
+  if (layer.frozen == 0) return layer.first.level(d);
+  return layer.level + (layer.frozen - d) * layer.from;
 }
 
 // Where the level of touched cells is `wanted`: outwards, d l_d falls. By Newton's method from the
 // last answer, which is near while a step is found, between ends that close in.
 double RimMotion::touched_when(const Layer& layer, double wanted, int d) const {
-  double low = layer.touched, high = layer.touched_end, before = high - low;
-  const auto above = [&](double t) { return d * (touched_level(t, d).value - wanted); };
-  if (above(low) <= 0) return low;
-  if (above(high) >= 0) return high;
+  double low = layer.first.t, high = layer.last.t, before = high - low;
+  if (d * (layer.first.level(d) - wanted) <= 0) return low;
+  if (d * (layer.last.level(d) - wanted) >= 0) return high;
   double t = touched_.when > low && touched_.when < high ? touched_.when : 0.5 * (low + high);
   for (int i = 0; i < 100 && high - low > 4 * epsilon * high; ++i) {
-    const auto [value, slope] = touched_level(t, d);
+    const auto [place, speed] = place_at(t);
+    const double value = place - d * contact_.depth(t), slope = speed - d * contact_.depth_rate(t);
     const double found = d * (value - wanted);
     if (std::abs(found) <= 2 * epsilon * std::max(1.0, std::abs(wanted))) return t;
     (found > 0 ? low : high) = t;
@@ -186,21 +179,23 @@ void RimMotion::start(double t, const StateVector& body) {
 /// What is above 0 as long as a mode goes on: the velocity at which a rim slides; how far the
 /// level is from where the layer that slides next is used up; and while the indentation falls, the
 /// rim that is left.
-std::vector<double> RimMotion::margins(double t, const StateVector& state) const {
+RimMotion::Margins RimMotion::margins(double t, const StateVector& state) const {
   if (mode_ == RimMode::apart || always_slides_) return {};
-  const Moment now = contact_.at(t);
+  const Moment now = holder_.mass > 0 ? contact_.depths_at(t) : contact_.at(t);
   const double v = speed(now, state), rate = now.depth_rate;
   if (mode_ == RimMode::stick) return {rate - v, rate + v};
   const int d = direction();
   const double slides = d * v - rate;
   if (layers_.empty()) return {slides};
   const double left = d * (inner_level(layers_.back(), d) - level(now, state(place_), d));
+  // Asked whether it is needed or not: the next answer is looked for from the last one.
+  const double stuck = stuck_to(now, state(place_));
   if (rate >= 0) return {slides, left};
-  return {slides, left, now.depth - stuck_to(now, state(place_))};
+  return {slides, left, now.depth - stuck};
 }
 
 double RimMotion::least_margin(double t, const StateVector& state) const {
-  const std::vector<double> all = margins(t, state);
+  const Margins all = margins(t, state);
   return all.empty() ? 1 : *std::min_element(all.begin(), all.end());
 }
 
@@ -242,7 +237,7 @@ void RimMotion::cut_layer(int d) {
   Layer& top = layers_.back();
   const Moment now = contact_.at(t_);
   top.to = stuck_to(now, state_(place_));
-  if (top.frozen == 0) top.touched_end = touched_when(top, level(now, state_(place_), d), d);
+  if (top.frozen == 0) top.last = touched_at(touched_when(top, level(now, state_(place_), d), d));
 }
 
 void RimMotion::go_on(RimMode mode) {
@@ -251,18 +246,20 @@ void RimMotion::go_on(RimMode mode) {
   if (mode != RimMode::stick) return;
   shown_.stick = true;
   const double rim = contact_.depth(t_);
-  layers_.push_back({0, 0, rim, rim, t_, t_});
+  layers_.push_back({0, 0, rim, rim, {t_}, {}});
 }
 
 /// After an event: while the indentation grows, the rim sticks between both directions of sliding;
 /// while it falls the rim slides in one or the other.
 void RimMotion::change() {
-  const std::vector<double> margin = margins(t_, state_);
+  const Margins margin = margins(t_, state_);
   const Moment now = contact_.at(t_);
   const double v = speed(now, state_), rate = now.depth_rate;
   if (mode_ == RimMode::stick) {
-    layers_.back().to = now.depth;
-    layers_.back().touched_end = t_;
+    Layer& top = layers_.back();
+    top.to = now.depth;
+    top.first = touched_at(top.first.t);
+    top.last = touched_at(t_);
     return go_on(margin[0] < margin[1] ? RimMode::forward : RimMode::backward);
   }
   const int d = direction();
@@ -281,7 +278,7 @@ void RimMotion::change() {
   cut_layer(d);
   if (least == 2) return go_on(other);
   const double from = layers_.empty() ? 0 : layers_.back().to;
-  layers_.push_back({d, level(now, state_(place_), d), from, now.depth, 0, 0});
+  layers_.push_back({d, level(now, state_(place_), d), from, now.depth});
   go_on(rate > 0 && d * v > -rate ? RimMode::stick : other);
 }
 

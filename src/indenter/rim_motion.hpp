@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <boost/container/static_vector.hpp>
 #include <cstddef>
 #include <vector>
 
@@ -64,29 +65,32 @@ class RimMotion {
   const std::vector<TimeStep>& kept() const { return kept_; }
 
  private:
+  /// Cells that touched at a time: where the body and the surface were.
+  struct Touched {
+    double t = 0, place = 0, depth = 0;
+    double level(int d) const { return place - d * depth; }
+  };
+
   // Cells from one depth to another, by what they remember: the level at which all of them stuck,
   // after a slide in a direction; or each its own, since they touched one after the other.
   struct Layer {
     int frozen = 0;  // direction; 0: touched one after the other
     double level = 0;
-    double from = 0, to = 0;              // depths
-    double touched = 0, touched_end = 0;  // times
-  };
-
-  struct TouchedLevel {
-    double value = 0, slope = 0;
+    double from = 0, to = 0;        // depths
+    Touched first = {}, last = {};  // of cells, once all have touched
   };
 
   using Moment = ScaledContact::Moment;
 
+  /// Only a body that feels the friction at once asks what sticks.
   double speed(const Moment& now, const StateVector& state) const {
-    return velocity_ - behind(now, state, sticking(now, state));
+    return velocity_ - behind(now, state, first_given() ? sticking(now, state) : 0);
   }
   double behind(const Moment& now, const StateVector& state, double stuck) const;
   int direction() const;
   double level(const Moment& now, double place, int d) const { return place - d * now.depth; }
-  double level_of(const Layer& layer, double depth, double touched, int d) const;
-  TouchedLevel touched_level(double touched, int d) const;
+  TimeStep::WithRate place_at(double t) const;
+  Touched touched_at(double t) const { return {t, place_at(t).value, contact_.depth(t)}; }
   double inner_level(const Layer& layer, int d) const;
   double touched_when(const Layer& layer, double level, int d) const;
   double stuck_to(const Moment& now, double place) const;
@@ -95,7 +99,8 @@ class RimMotion {
   double holding_force(const StateVector& state) const;
   void rates(double t, const StateVector& state, StateVector& out);
 
-  std::vector<double> margins(double t, const StateVector& state) const;
+  using Margins = boost::container::static_vector<double, 3>;
+  Margins margins(double t, const StateVector& state) const;
   double least_margin(double t, const StateVector& state) const;
   bool ends_in(const TimeStep& step, double& at) const;
   void take(TimeStep step, bool ends);
