@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace vcrit::simulation {
 
@@ -61,10 +62,19 @@ class Bernstein {
     return result;
   }
 
-  // De Casteljau: the same polynomial on [share, 1].
+  // De Casteljau: the same polynomial on [share, 1]. From the last coefficient to the first, each
+  // through all levels: level by level, g++ joins neighbours in pairs that overlap those written
+  // just before, and waits for memory at each.
   void cut(double share) {
-    for (std::size_t level = n; level > 0; --level)
-      for (std::size_t i = 0; i < level; ++i) b_[i] += share * (b_[i + 1] - b_[i]);
+    Coefficients after{b_[n]};
+    for (std::size_t i = n; i-- > 0;) {
+      double value = b_[i];
+      for (std::size_t level = 0; level < n - i; ++level) {
+        const double next = value + share * (after[level] - value);
+        after[level] = std::exchange(value, next);
+      }
+      b_[i] = after[n - i] = value;
+    }
   }
 
   // The only zero between low and 1, by Newton's method in a bracket.

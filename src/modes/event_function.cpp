@@ -157,6 +157,21 @@ bool EventFunction::bound_pair(Derivatives& bound, double h, PairNumber now,
   return true;
 }
 
+// The same of the sinusoid, whose derivatives are turned by a quarter and all of one size.
+bool EventFunction::bound_sinusoid(Derivatives& bound, double h) const {
+  PairNumber derivative = sinusoid_ * here_.turn()[0];
+  const double size = std::sqrt(derivative.b * derivative.b + derivative.a * derivative.a);
+  if (h <= taylor_limit) {
+    for (std::size_t k = order_; k < degree; ++k, derivative = {-derivative.b, derivative.a})
+      bound[k] += derivative.b;
+    bound[degree] += std::min(size, derivative.b + h * size);
+    return false;
+  }
+  bound[0] += size + (order_ == 1 ? derivative.a : derivative.b);
+  if (order_ == 2) bound[1] += derivative.a;
+  return true;
+}
+
 EventFunction::Safe EventFunction::safe_duration(double value, double h) const {
   count();
   Derivatives bound{value};
@@ -164,7 +179,7 @@ EventFunction::Safe EventFunction::safe_duration(double value, double h) const {
   bool fast = bound_decays(bound, h);
   for (Index p = 0; p < pairs_.size(); ++p)
     fast = bound_pair(bound, h, pairs_[p] * here_.pair(p)[0], spectrum_->pairs[p]) || fast;
-  fast = bound_pair(bound, h, sinusoid_ * here_.turn()[0], oscillation) || fast;
+  fast = bound_sinusoid(bound, h) || fast;
   return {negative_duration(bound, h), fast};
 }
 

@@ -58,6 +58,7 @@ class EventFunction {
   void count() const;
   bool bound_decays(Derivatives& bound, double h) const;
   bool bound_pair(Derivatives& bound, double h, PairNumber now, const ModePair& pair) const;
+  bool bound_sinusoid(Derivatives& bound, double h) const;
 
   const Spectrum* spectrum_;
   std::size_t order_;
