@@ -74,24 +74,24 @@ class Descent {
     if (!step.allFinite()) return false;
     VectorXd next = at_ + step;
     problem_.keep_in_reach(next);
-    VectorXd residual;
-    problem_.residual(next, residual, nullptr);
-    const double sum = sum_of(residual);
+    problem_.residual(next, next_residual_, &next_slope_);
+    const double sum = sum_of(next_residual_);
     if (!(sum < sum_)) return false;
     const double promised = sum_ - (residual_ + slope_ * step).squaredNorm() +
                             damping_ * scale.cwiseProduct(step).squaredNorm();
     const double kept = promised > 0 ? (sum_ - sum) / promised : 0;
     damping_ = std::max(damping_ * std::max(1.0 / 3, 1 - std::pow(2 * kept - 1, 3)), 1e-15);
     growth_ = 2;
-    at_ = next;
-    problem_.residual(at_, residual_, &slope_);
+    at_ = std::move(next);
+    residual_.swap(next_residual_);
+    slope_.swap(next_slope_);
     sum_ = sum;
     return true;
   }
 
   const LeastSquares& problem_;
-  VectorXd at_, residual_, scale_;
-  MatrixXd slope_;
+  VectorXd at_, residual_, next_residual_, scale_;
+  MatrixXd slope_, next_slope_;
   double sum_ = 0, damping_ = 1e-3, growth_ = 2;
 };
 
