@@ -30,7 +30,7 @@ void SwitchingOde::rates(const double* y, double velocity, double bound, double 
 }
 
 void SwitchingOde::rates(double t, const double* y, double* dydt) {
-  rates(y, equations_.velocity, equations_.bound(t), equations_.bound_rate(t), dydt);
+  rates(y, equations_.velocity, equations_.bound(t), slope_of_bound(t), dydt);
 }
 
 // The rates are linear in state, drive velocity and bound together.
@@ -50,8 +50,8 @@ void SwitchingOde::jacobian(double t, const double*, double* by_y, double* by_t)
 
 double SwitchingOde::event(double t, const double* y) const {
   if (motion == Motion::stick) return equations_.bound(t) - std::abs(equations_.force(y, 0));
-  return sign() * slip_velocity(y, equations_.top_velocity(y, equations_.velocity), equations_.bound(t),
-                                equations_.bound_rate(t));
+  return sign() * slip_velocity(y, equations_.top_velocity(y, equations_.velocity),
+                                equations_.bound(t), slope_of_bound(t));
 }
 
 double SwitchingOde::event_rate(double t, const double* y, const double* dydt) const {

@@ -39,6 +39,8 @@ class SwitchingOde final : public Ode {
  private:
   bool damped() const { return equations_.contact.damper > 0; }
   double sign() const { return motion == Motion::backslip ? -1 : 1; }
+  /// b'(t) where slip_velocity() needs it.
+  double slope_of_bound(double t) const { return tied() ? equations_.bound_rate(t) : 0; }
   double slip_velocity(const double* y, double top, double bound, double bound_rate) const;
   void rates(const double* y, double velocity, double bound, double bound_rate, double* dydt) const;
   Rise begin_stick(double t, std::vector<double>& y);
