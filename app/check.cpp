@@ -1,7 +1,6 @@
 // vcrit check: all problems of scenes at once, and which commands answer for scenes without errors.
 // The problems are what was asked for, so they are printed on stdout.
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 #include <unistd.h>
 #include <CLI/CLI.hpp>
 
@@ -14,6 +13,7 @@
 
 #include "answering.hpp"
 #include "base/files.hpp"
+#include "base/joined.hpp"
 #include "base/plain_text.hpp"
 #include "commands.hpp"
 #include "options.hpp"
@@ -183,9 +183,9 @@ void print_commands(const std::vector<CommandAnswer>& commands) {
     else
       known->second.push_back(each.command);
   }
-  fmt::print("; these commands answer: {}\n", fmt::join(answering, ", "));
+  fmt::print("; these commands answer: {}\n", joined(answering, ", "));
   for (const auto& [reason, names] : refusing)
-    fmt::print("  not {}: {}\n", fmt::join(names, ", "), one_line(reason));
+    fmt::print("  not {}: {}\n", joined(names, ", "), one_line(reason));
   for (const CommandAnswer& each : commands)
     for (const std::string& part : each.left_out)
       fmt::print("  {} leaves out {}\n", each.command, one_line(part));

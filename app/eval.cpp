@@ -1,6 +1,5 @@
 // vcrit eval: v* of a scene, correctly rounded, and whether Eq. 24 applies.
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 #include <unistd.h>
 #include <CLI/CLI.hpp>
 
@@ -15,6 +14,7 @@
 #include "answers/effect_words.hpp"
 #include "answers/under_load.hpp"
 #include "base/constants.hpp"
+#include "base/joined.hpp"
 #include "base/rounded.hpp"
 #include "commands.hpp"
 #include "critical/admissibility.hpp"
@@ -103,12 +103,13 @@ std::string velocity_words(const Evaluation& result, int digits) {
 
 std::string full_friction_words(const CriticalOnset& critical, int digits) {
   if (critical.free_harmonics.empty()) return {};
+  std::vector<std::string> harmonics;
+  for (const int n : critical.free_harmonics) harmonics.push_back(std::to_string(n));
   return fmt::format("{}: the undamped body swings freely at {} {}",
                      std::isnan(critical.sliding_from)
                          ? "from a speed below v* on that is not known"
                          : fmt::format("from {} on", rounded(critical.sliding_from, "m/s", digits)),
-                     critical.free_harmonics.size() > 1 ? "harmonics" : "harmonic",
-                     fmt::join(critical.free_harmonics, ", "));
+                     harmonics.size() > 1 ? "harmonics" : "harmonic", joined(harmonics, ", "));
 }
 
 std::string error_words(const Effect& effect, int digits) {

@@ -1,8 +1,8 @@
 // vcrit(1) in the man macros of roff: the frame in shell/vcrit.1, filled with commands and options.
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
+#include "base/joined.hpp"
 #include "shell.hpp"
 #include "shell_texts.hpp"
 
@@ -48,7 +48,7 @@ std::string entries(const CLI::App& command) {
     for (const std::string& name : names_of(*option))
       names.push_back(option->get_positional() ? italic(name) : bold(name));
     const std::string words = value_words(*option);
-    out += fmt::format(".TP\n{}{}\n{}\n", fmt::join(names, ", "),
+    out += fmt::format(".TP\n{}{}\n{}\n", joined(names, ", "),
                        words.empty() ? "" : " " + italic(words), filled(option->get_description()));
   }
   return out;

@@ -1,13 +1,13 @@
 #include "method_choice.hpp"
 
+#include <fmt/core.h>
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <vector>
 
 #include "base/errors.hpp"
+#include "base/joined.hpp"
 #include "simulation/steady/exact.hpp"
 
 namespace vcrit::app {
@@ -70,7 +70,7 @@ simulation::SteadyState MethodChoice::steady_state(const simulation::System& sys
     if (command_->count(option) > 0 &&
         std::find(methods.begin(), methods.end(), name_) == methods.end())
       throw InputError({option}, fmt::format("--method {}", name_),
-                       fmt::format("{}, which take it", fmt::join(methods, ", ")));
+                       fmt::format("{}, which take it", joined(methods, ", ")));
   simulation::MethodOptions options = options_;
   options.newton = !plain_;
   options.start = start();

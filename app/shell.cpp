@@ -1,12 +1,12 @@
 #include "shell.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <memory>
 
+#include "base/joined.hpp"
 #include "examples.hpp"
 #include "shell_texts.hpp"
 
@@ -107,7 +107,7 @@ std::string value_words(const CLI::Option& option) {
   const std::string type = option.get_type_name(), preset = option.get_default_str();
   if (!option.get_positional() && option.get_type_size() != 0)
     words = type.substr(0, type.find(':'));
-  if (!choices.empty()) words = fmt::format("{{{}}}", fmt::join(choices, ","));
+  if (!choices.empty()) words = fmt::format("{{{}}}", joined(choices, ","));
   if (!preset.empty()) words += "=" + preset;
   if (is_repeated(option)) words += words.empty() ? "..." : " ...";
   if (option.get_required()) words += words.empty() ? "required" : ", required";

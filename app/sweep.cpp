@@ -1,6 +1,6 @@
 // vcrit sweep: tables here, arrays by a program that this one becomes. Loading netCDF, MPI and the
 // forty libraries behind them takes longer than most commands take to start and answer.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <unistd.h>
 #include <CLI/CLI.hpp>
 

@@ -1,12 +1,12 @@
 #include "sweep_options.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
 #include <memory>
 #include <utility>
 
+#include "base/joined.hpp"
 #include "sweep/sweep.hpp"
 
 namespace vcrit::app {
@@ -23,7 +23,7 @@ void add_sweep(CLI::App& program, std::function<void(const SweepOptions&)> run) 
   command
       ->add_option("--quantity", options->quantities, "what to compute, one or several")
       // Words for help and completion; the sweep itself checks the names.
-      ->type_name(fmt::format("NAME:{{{}}}", fmt::join(swept_quantity_names(), ",")))
+      ->type_name(fmt::format("NAME:{{{}}}", joined(swept_quantity_names(), ",")))
       ->required();
   CLI::Option* velocity = command->add_option("--velocity", options->velocity,
                                               "one velocity of the drive for all rows");

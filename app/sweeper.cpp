@@ -1,5 +1,5 @@
 // `vcrit-sweep`, which `vcrit sweep` becomes for arrays, and which all processes of mpirun become.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <exception>
 #include <memory>

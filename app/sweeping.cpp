@@ -1,7 +1,6 @@
 // vcrit sweep: quantities of a scene over a grid of its parameters and the speed, as a table or an
 // array, on all cores and on all processes of mpirun.
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,6 +14,7 @@
 
 #include "answers/realised_friction.hpp"
 #include "base/constants.hpp"
+#include "base/joined.hpp"
 #include "base/numbers.hpp"
 #include "base/rounded.hpp"
 #include "base/units.hpp"
@@ -170,7 +170,7 @@ void print_csv(const Sweep& sweep, const SweptTable& table) {
       const double value = table_value(table, row, column);
       cells[column] = word_in(sweep, column, value).value_or(to_text(value));
     }
-    fmt::print("{}\n", fmt::join(cells, ","));
+    fmt::print("{}\n", joined(cells, ","));
   }
 }
 
@@ -208,7 +208,7 @@ void print_table(const Sweep& sweep, const SweptTable& table) {
   for (auto& line : lines) {
     std::string& last = line.back();
     last.erase(last.find_last_not_of(' ') + 1);
-    fmt::print("{}\n", fmt::join(line, "  "));
+    fmt::print("{}\n", joined(line, "  "));
   }
 }
 

@@ -1,7 +1,6 @@
 #include "usage.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "base/identifiers.hpp"
+#include "base/joined.hpp"
 #include "base/messages.hpp"
 
 namespace vcrit::app {
@@ -122,7 +122,7 @@ InputError not_expected(const CLI::App& program, const std::string& first) {
     return {{whole_line}, word, "the arguments that --help lists", did_you_mean(*found)};
   return {{whole_line},
           word,
-          fmt::format("one of {}", fmt::join(options, ", ")),
+          fmt::format("one of {}", joined(options, ", ")),
           takes_settings(options) && is_quantity(word) ? set_advice(word) : advice};
 }
 
@@ -152,8 +152,8 @@ InputError what_is_missing(const CLI::App& command, const std::string& first_of_
   }
   if (names.empty()) names = line = {first_of_them};
   return {{whole_line},
-          fmt::format("no {}", fmt::join(names, ", no ")),
-          fmt::format("vcrit {} {}", command.get_name(), fmt::join(line, " ")),
+          fmt::format("no {}", joined(names, ", no ")),
+          fmt::format("vcrit {} {}", command.get_name(), joined(line, " ")),
           advice};
 }
 
@@ -215,7 +215,7 @@ InputError in_parts(const CLI::ParseError& error, const CLI::App& program,
   if (is_unknown_command(program, first))
     return {{whole_line},
             fmt::format("\"{}\"", printable(first)),
-            fmt::format("a command: {}", fmt::join(commands, ", ")),
+            fmt::format("a command: {}", joined(commands, ", ")),
             first.ends_with(".toml") ? fmt::format("vcrit eval {}", printable(first))
                                      : meant_command(first, commands)};
   const std::string text = error.what();

@@ -1,11 +1,11 @@
 // What amplitude, frequency or speed reaches a friction ratio, as `vcrit solve` finds it.
 #include "design/solve.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 #include <pybind11/stl.h>
 
 #include "base/constants.hpp"
+#include "base/joined.hpp"
 #include "bindings.hpp"
 #include "interrupt.hpp"
 
@@ -24,7 +24,7 @@ Sought sought_named(const std::string& name) {
     names.emplace_back(to_text(sought));
   }
   throw InputError(argument("for"), '"' + name + '"',
-                   fmt::format("one of {}", fmt::join(names, ", ")));
+                   fmt::format("one of {}", joined(names, ", ")));
 }
 
 std::optional<double> end_of_range(const std::string& text, Sought sought, const char* name) {

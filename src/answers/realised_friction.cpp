@@ -1,7 +1,6 @@
 #include "answers/realised_friction.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <Eigen/Core>
 #include <algorithm>

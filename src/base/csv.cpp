@@ -1,10 +1,10 @@
 #include "base/csv.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <cmath>
 
+#include "base/joined.hpp"
 #include "base/numbers.hpp"
 #include "base/trimmed.hpp"
 
@@ -31,7 +31,7 @@ bool CsvLines::next() {
 
 void CsvLines::take_header(const char* header, const char* advice) {
   const bool any = next();
-  if (!any || fmt::format("{}", fmt::join(cells(), ",")) != header)
+  if (!any || joined(cells(), ",") != header)
     throw InputError(place_, any ? fmt::format("\"{}\"", line_) : "an empty table",
                      fmt::format("the header {}", header), advice);
 }

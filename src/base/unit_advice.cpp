@@ -1,7 +1,6 @@
 #include "base/unit_advice.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include "base/identifiers.hpp"
+#include "base/joined.hpp"
 #include "base/trimmed.hpp"
 
 namespace vcrit {
@@ -131,7 +131,7 @@ std::string advice_on_unknown_unit(std::string_view number, std::string_view uni
   Units whole;
   for (const std::string& each : nearest_units(unit, dimension))
     whole.push_back(fmt::format("\"{} {}\"", number, each));
-  return whole.empty() ? "" : fmt::format("did you mean {}?", fmt::join(whole, " or "));
+  return whole.empty() ? "" : fmt::format("did you mean {}?", joined(whole, " or "));
 }
 
 std::string_view before_peak_to_peak(std::string_view unit) {

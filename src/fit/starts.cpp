@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 // A branch's response is a decade wide: a twelfth of that is as good as a continuum.
 constexpr double per_decade = 12;
 
-MaxwellBranch joined(const MaxwellBranch& a, const MaxwellBranch& b) {
+MaxwellBranch joined_branch(const MaxwellBranch& a, const MaxwellBranch& b) {
   const double sum = a.stiffness + b.stiffness;
   return {sum, std::exp((a.stiffness * std::log(a.time) + b.stiffness * std::log(b.time)) / sum)};
 }
@@ -50,7 +50,7 @@ std::optional<Relaxation> merged(Relaxation spectrum, int branches) {
     const auto gap = [&](std::size_t i) { return list[i + 1].time / list[i].time; };
     for (std::size_t i = 1; i + 1 < list.size(); ++i)
       if (gap(i) < gap(nearest)) nearest = i;
-    list[nearest] = joined(list[nearest], list[nearest + 1]);
+    list[nearest] = joined_branch(list[nearest], list[nearest + 1]);
     list.erase(list.begin() + static_cast<std::ptrdiff_t>(nearest) + 1);
   }
   return spectrum;

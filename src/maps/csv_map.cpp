@@ -1,7 +1,6 @@
 #include "maps/csv_map.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -10,6 +9,7 @@
 #include <system_error>
 
 #include "base/files.hpp"
+#include "base/joined.hpp"
 #include "base/numbers.hpp"
 
 namespace vcrit::maps {
@@ -60,7 +60,7 @@ std::string csv_header(const Sweep& sweep) {
   std::vector<std::string> columns;
   for (const auto& [name, unit] : swept_columns(sweep))
     columns.push_back(sweep.units_in_header ? column_heading(name, unit) : name);
-  return fmt::format("{}\n", fmt::join(columns, ","));
+  return fmt::format("{}\n", joined(columns, ","));
 }
 
 CsvMap::CsvMap(const Sweeping& sweeping, const fs::path& file, bool resume, const Ranks& ranks)

@@ -1,7 +1,6 @@
 #include "maps/map_file.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <cstdint>
 #include <cstring>

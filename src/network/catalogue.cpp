@@ -1,10 +1,10 @@
 #include "network/catalogue.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 
+#include "base/joined.hpp"
 #include "network/masses.hpp"
 
 namespace vcrit {
@@ -63,7 +63,7 @@ bool Rheology::goes_by(const std::string& other) const {
 std::string Rheology::signature(const std::string& other) const {
   Names names;
   for (const auto& [argument, kind] : arguments) names.push_back(argument);
-  return fmt::format("{}({})", other.empty() ? name : other, fmt::join(names, ", "));
+  return fmt::format("{}({})", other.empty() ? name : other, joined(names, ", "));
 }
 
 const std::vector<Rheology>& catalogue() {

@@ -1,11 +1,12 @@
 #include "network/expression.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <charconv>
 
 #include "base/identifiers.hpp"
+#include "base/joined.hpp"
 #include "base/plain_text.hpp"
 #include "base/spelled_names.hpp"
 #include "base/trimmed.hpp"
@@ -202,7 +203,7 @@ class Parser {
     const auto meant = nearest(name, known);
     throw InputError(
         at, fmt::format("unknown rheology \"{}\"", name),
-        meant ? fmt::format("\"{}\"", *meant) : fmt::format("one of {}", fmt::join(known, ", ")));
+        meant ? fmt::format("\"{}\"", *meant) : fmt::format("one of {}", joined(known, ", ")));
   }
 
   // vcrit has networks of a finite number of springs and dampers.

@@ -3,7 +3,7 @@
 #include <arb.h>
 #include <flint/fmpq.h>
 #include <flint/fmpz_poly.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

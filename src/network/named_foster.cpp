@@ -1,7 +1,7 @@
 #include "network/named_foster.hpp"
+#include "base/joined.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <optional>
@@ -60,7 +60,7 @@ std::string term_text(const Polynomial& p, std::size_t i) {
   if (parts.empty()) return "1";
   const bool is_negated = parts.front() == "-1" && parts.size() > 1;
   if (is_negated) parts.erase(parts.begin());
-  return fmt::format("{}{}", is_negated ? "-" : "", fmt::join(parts, "*"));
+  return fmt::format("{}{}", is_negated ? "-" : "", joined(parts, "*"));
 }
 
 std::string sum_text(const Polynomial& p) {
@@ -95,7 +95,7 @@ std::vector<std::string> factor_texts(const Polynomial& p) {
 std::string quotient_text(const PolynomialQuotient& q) {
   const auto product = [](const std::vector<std::string>& parts) {
     if (parts.empty()) return std::string("1");
-    std::string all = fmt::format("{}", fmt::join(parts, "*"));
+    std::string all = joined(parts, "*");
     return all.starts_with("-1*") ? "-" + all.substr(3) : all;
   };
   const std::vector<std::string> above = factor_texts(q.over), below = factor_texts(q.under);

@@ -1,13 +1,13 @@
 #include "problem/problem.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <mutex>
 #include <string_view>
 
 #include "base/constants.hpp"
+#include "base/joined.hpp"
 #include "problem/parts.hpp"
 #include "problem/placing.hpp"
 #include "scene/members.hpp"
@@ -201,7 +201,7 @@ const Values& Problem::known_values() const& { return checked_->values; }
 const Values& Problem::values() const& {
   if (!checked_->missing.empty())
     throw InputError({checked_->parts.source->file},
-                     fmt::format("no value for {}", fmt::join(checked_->missing, ", ")),
+                     fmt::format("no value for {}", joined(checked_->missing, ", ")),
                      "a number for each, in the scene or by `set NAME=VALUE`", checked_->advice());
   for (const MeasuredStiffness& measured : checked_->parts.measured)
     if (!checked_->values.contains(measured.storage))

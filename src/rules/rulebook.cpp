@@ -1,7 +1,6 @@
 #include "rules/rulebook.hpp"
 
 #include <fmt/core.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 

@@ -1,7 +1,6 @@
 #include "scene/document.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <optional>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "base/identifiers.hpp"
+#include "base/joined.hpp"
 #include "scene/key_limits.hpp"
 #include "scene/section_keys.hpp"
 #include "scene/syntax.hpp"
@@ -32,7 +32,7 @@ std::string expected_key(const std::optional<std::string>& meant,
                          const std::vector<std::string>& known) {
   if (meant) return fmt::format("\"{}\"", *meant);
   if (known.size() == 1) return fmt::format("\"{}\"", known.front());
-  return fmt::format("one of {}", fmt::join(known, ", "));
+  return fmt::format("one of {}", joined(known, ", "));
 }
 
 InputError unknown_key(const Place& place, const std::string& key, const std::string& section,

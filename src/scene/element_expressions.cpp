@@ -1,13 +1,13 @@
 #include "scene/element_expressions.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "base/joined.hpp"
 #include "network/law.hpp"
 #include "scene/arithmetic.hpp"
 #include "scene/document.hpp"
@@ -68,7 +68,7 @@ std::optional<NumberMeasure> measure_by_unit(const std::string& name, const toml
     }
   }
   throw InputError(place, fmt::format("{} = {}", name, document::describe_node(value)),
-                   fmt::format("one of {}", fmt::join(expected, ", ")));
+                   fmt::format("one of {}", joined(expected, ", ")));
 }
 
 }  // namespace
@@ -146,7 +146,7 @@ void ElementExpressions::refuse_circle(const Symbol& element) const {
   for (auto each = std::find(way_.begin(), way_.end(), element); each != way_.end(); ++each)
     ways.push_back(fmt::format("{} (line {})", to_text(*each), text_of(*each)->place.line));
   throw InputError(text_of(element)->place,
-                   fmt::format("expressions in a circle: {}", fmt::join(ways, " -> ")),
+                   fmt::format("expressions in a circle: {}", joined(ways, " -> ")),
                    "a value for one of them");
 }
 

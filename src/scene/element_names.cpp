@@ -1,12 +1,12 @@
 #include "scene/element_names.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <utility>
 
 #include "base/errors.hpp"
+#include "base/joined.hpp"
 #include "scene/document.hpp"
 #include "scene/quantities.hpp"
 
@@ -70,7 +70,7 @@ Symbol ElementNames::of(const Symbol& symbol) {
     const bool circle = std::find(way.begin(), way.end(), to_text(found)) != way.end();
     way.push_back(to_text(found));
     if (circle)
-      throw InputError(name->place, fmt::format("names in a circle: {}", fmt::join(way, " = ")),
+      throw InputError(name->place, fmt::format("names in a circle: {}", joined(way, " = ")),
                        "a value, or a name that is not taken from another element, for one of "
                        "them");
   }

@@ -1,6 +1,6 @@
 #include "scene/element_values.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "base/identifiers.hpp"
 #include "base/spelled_names.hpp"

@@ -1,12 +1,12 @@
 #include "scene/indenter.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
+#include "base/joined.hpp"
 #include "scene/members.hpp"
 #include "scene/section_keys.hpp"
 
@@ -71,7 +71,7 @@ Indenter read_indenter(const document::Section& section, const std::filesystem::
   for (const std::string& key : document::keys_of("indenter"))
     if (section.find(key) != nullptr && std::find(keys.begin(), keys.end(), key) == keys.end())
       throw InputError(section.place(key), fmt::format("{} beside shape = \"{}\"", key, name),
-                       fmt::format("for {} no keys but {}", form.name, fmt::join(keys, ", ")));
+                       fmt::format("for {} no keys but {}", form.name, joined(keys, ", ")));
   for (const Size& size : form.sizes)
     indenter.sizes.push_back(
         quantities.read(section, size.key, size.key, size.dimension, *size.range));

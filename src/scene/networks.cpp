@@ -1,11 +1,11 @@
 #include "scene/networks.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "base/joined.hpp"
 #include "network/expression.hpp"
 #include "network/graph.hpp"
 #include "network/law.hpp"
@@ -124,7 +124,7 @@ std::optional<Network> Networks::named(const std::string& name, const Place& pla
   if (named_ == nullptr || !named_->contains(name)) return std::nullopt;
   if (has_arguments(name))
     throw InputError(place, fmt::format("network \"{}\" without its arguments", name),
-                     fmt::format("{}({})", name, fmt::join(arguments_of(name), ", ")));
+                     fmt::format("{}({})", name, joined(arguments_of(name), ", ")));
   auto known = known_.find(name);
   if (known == known_.end())
     known = known_.emplace(name, read_definition(name, {}, place, level)).first;
@@ -141,7 +141,7 @@ Network Networks::called(const std::string& name, const std::vector<std::string>
   const std::vector<std::string> arguments = arguments_of(name);
   if (given.size() != arguments.size())
     throw InputError(place, fmt::format("{} with {} names", name, given.size()),
-                     fmt::format("{}({})", name, fmt::join(arguments, ", ")));
+                     fmt::format("{}({})", name, joined(arguments, ", ")));
   called_.insert(name);
   std::map<std::string, std::string> meant;
   for (std::size_t i = 0; i < given.size(); ++i) meant.emplace(arguments[i], given[i]);

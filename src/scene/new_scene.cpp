@@ -1,7 +1,6 @@
 #include "scene/new_scene.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "base/errors.hpp"
+#include "base/joined.hpp"
 #include "network/catalogue.hpp"
 #include "network/law.hpp"
 
@@ -35,7 +35,7 @@ const Rheology& rheology_of_part(const std::string& name, const char* argument_n
   for (const Rheology& rheology : catalogue())
     if (rheology.goes_by(name) && !rheology.in_drives_only()) return rheology;
   throw InputError(argument(argument_name), fmt::format("\"{}\"", name),
-                   fmt::format("one of {}", fmt::join(rheologies_of_parts(), ", ")));
+                   fmt::format("one of {}", joined(rheologies_of_parts(), ", ")));
 }
 
 // Typical of a polymer pad of a square millimetre under ultrasound; the n-th of a network.
@@ -80,10 +80,10 @@ std::string to_fill(const std::string& key, const std::vector<std::string>& typi
                     const std::string& words, bool is_array = false) {
   const std::vector<std::string> marks(typical_values.size(),
                                        fmt::format("\"{}\"", to_be_filled_in));
-  const std::string value = fmt::format("{}", fmt::join(marks, ", "));
+  const std::string value = joined(marks, ", ");
   return fmt::format("{:<22}# e.g. \"{}\": {}\n",
                      fmt::format("{} = {}", key, is_array ? "[" + value + "]" : value),
-                     fmt::join(typical_values, "\", \""), words);
+                     joined(typical_values, "\", \""), words);
 }
 
 std::string elements_of(const Rheology& rheology, const char* suffix) {
@@ -104,7 +104,7 @@ std::string elements_of(const Rheology& rheology, const char* suffix) {
 }
 
 std::string call(const Rheology& rheology, const std::string& name, const char* suffix) {
-  return fmt::format("\"{}({})\"", name, fmt::join(argument_names(rheology, suffix), ", "));
+  return fmt::format("\"{}({})\"", name, joined(argument_names(rheology, suffix), ", "));
 }
 
 std::string comment(const std::string& words) {

@@ -1,7 +1,6 @@
 #include "scene/quantities.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>
@@ -9,6 +8,7 @@
 #include <set>
 
 #include "base/identifiers.hpp"
+#include "base/joined.hpp"
 #include "base/spelled_names.hpp"
 #include "scene/new_scene.hpp"
 
@@ -77,7 +77,7 @@ void check_symbol_name(const std::string& name, const char* what, const Place& p
   all.insert(keys().begin(), keys().end());
   throw InputError(
       place, fmt::format("\"{}\" as {}", name, what),
-      fmt::format("another name: it is a quantity of the scene ({})", fmt::join(all, ", ")));
+      fmt::format("another name: it is a quantity of the scene ({})", joined(all, ", ")));
 }
 
 std::string own_name_of(const std::string& name, const std::set<std::string>& others) {

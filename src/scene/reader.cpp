@@ -1,6 +1,5 @@
 // The scene format: sections, quantities with units, elements, and what of it is left out.
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -14,6 +13,7 @@
 #include "base/complaints.hpp"
 #include "base/constants.hpp"
 #include "base/files.hpp"
+#include "base/joined.hpp"
 #include "base/units.hpp"
 #include "network/masses.hpp"
 #include "scene/document.hpp"
@@ -137,10 +137,10 @@ class Reader {
     const auto given = std::count_if(ways_.begin(), ways_.end(),
                                      [&](const char* key) { return contact.find(key) != nullptr; });
     if (given != 1)
-      throw InputError(contact.place(""),
-                       fmt::format("{} of {}", given == 0 ? "none" : std::to_string(given),
-                                   fmt::join(ways_, ", ")),
-                       "exactly one of them in [contact]");
+      throw InputError(
+          contact.place(""),
+          fmt::format("{} of {}", given == 0 ? "none" : std::to_string(given), joined(ways_, ", ")),
+          "exactly one of them in [contact]");
     if (has_measured(contact, MeasuredSide::tangential)) {
       scene_.tangential =
           read_measured_contact(contact, MeasuredSide::tangential, scene_, networks_, warnings_);

@@ -1,6 +1,6 @@
 #include "scene/realisation_keys.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "scene/quantities.hpp"
 

@@ -1,9 +1,9 @@
 #include "scene/settings.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include "base/identifiers.hpp"
+#include "base/joined.hpp"
 #include "base/trimmed.hpp"
 
 namespace vcrit {
@@ -30,7 +30,7 @@ Dimension known_dimension(const std::string& name, const std::map<std::string, D
   if (!meant) meant = nearest(name, names);
   throw InputError(
       place, fmt::format("\"{}\", which this scene does not have", name),
-      meant ? fmt::format("\"{}\"", *meant) : fmt::format("one of {}", fmt::join(names, ", ")));
+      meant ? fmt::format("\"{}\"", *meant) : fmt::format("one of {}", joined(names, ", ")));
 }
 
 void refuse_expression(const Source& source, const std::string& name, const Place& place) {

@@ -1,10 +1,10 @@
 #include "scene/stiffness_algebras.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 
+#include "base/joined.hpp"
 #include "network/law.hpp"
 
 namespace vcrit {
@@ -61,7 +61,7 @@ NameCollector::Value NameCollector::named(const Symbol& name, const Place& place
     std::vector<std::string> way;
     for (const Symbol& each : way_) way.push_back(to_text(each));
     way.push_back(to_text(element));
-    throw InputError(place, fmt::format("expressions in a circle: {}", fmt::join(way, " -> ")),
+    throw InputError(place, fmt::format("expressions in a circle: {}", joined(way, " -> ")),
                      "a value for one of them");
   }
   if (!known_.insert(element).second) return {};

@@ -1,12 +1,12 @@
 #include "scene/stiffness_columns.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>
 #include <utility>
 
+#include "base/joined.hpp"
 #include "base/numbers.hpp"
 #include "base/units.hpp"
 
@@ -140,8 +140,7 @@ void refuse_sets(const StiffnessColumns& columns, const Place& place) {
   if (!columns[storage]) missing.push_back(usual_name(storage));
   if (!columns[loss] && !columns[tan_delta]) missing.emplace_back("loss or tan_delta");
   if (!missing.empty())
-    throw InputError(place, fmt::format("no column {}", fmt::join(missing, ", ")),
-                     expected_columns());
+    throw InputError(place, fmt::format("no column {}", joined(missing, ", ")), expected_columns());
   if (columns[frequency] && columns[angular_frequency])
     throw InputError(place, "frequency and angular_frequency", "one of the two");
   if (columns[loss] && columns[tan_delta])

@@ -1,6 +1,6 @@
 #include "scene/stiffness_data.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

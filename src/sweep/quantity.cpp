@@ -1,11 +1,11 @@
 #include "sweep/quantity.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <string_view>
 
 #include "base/identifiers.hpp"
+#include "base/joined.hpp"
 #include "base/trimmed.hpp"
 #include "problem/variation.hpp"
 #include "rules/kinds.hpp"
@@ -100,7 +100,7 @@ SweptQuantity parse_swept_quantity(const std::string& text, const Problem& probl
   if (text == "friction" || text == "mu") meant = "friction_ratio";
   throw InputError(
       place, fmt::format("\"{}\"", text),
-      meant ? fmt::format("\"{}\"", *meant) : fmt::format("one of {}", fmt::join(names, ", ")));
+      meant ? fmt::format("\"{}\"", *meant) : fmt::format("one of {}", joined(names, ", ")));
 }
 
 std::string column_name(const SweptQuantity& quantity) {

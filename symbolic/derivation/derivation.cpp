@@ -1,7 +1,6 @@
 #include "derivation/derivation.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <atomic>
@@ -10,6 +9,7 @@
 #include <set>
 
 #include "base/errors.hpp"
+#include "base/joined.hpp"
 #include "derivation/factors.hpp"
 #include "derivation/loaded.hpp"
 #include "derivation/model.hpp"
@@ -85,7 +85,7 @@ void write_networks(const SymbolicModel& model, bool measured, std::vector<Line>
   }
   if (inner.empty()) return;
   written.front().front() = static_cast<char>(std::toupper(written.front().front()));
-  inner.front().words = {fmt::format("{}, with ", fmt::join(written, ", ")),
+  inner.front().words = {fmt::format("{}, with ", joined(written, ", ")),
                          stated(laplace(), GiNaC::I * omega())};
   if (measured)
     inner.front().words +=

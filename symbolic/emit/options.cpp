@@ -1,13 +1,13 @@
 #include "emit/options.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "base/errors.hpp"
 #include "base/identifiers.hpp"
+#include "base/joined.hpp"
 #include "base/numbers.hpp"
 
 namespace vcrit::symbolic {
@@ -77,7 +77,7 @@ class Fixable {
   [[noreturn]] void refuse(const std::string& name) const {
     std::vector<std::string> names{"all"};
     for (const auto& [known, quantities] : known_) names.push_back(known);
-    const std::string one_of = fmt::format("one of {}", fmt::join(names, ", "));
+    const std::string one_of = fmt::format("one of {}", joined(names, ", "));
     if (is_always(name))
       throw InputError(argument("fix"),
                        fmt::format("\"{}\", which is a parameter of every call", name), one_of);
@@ -105,7 +105,7 @@ std::string command_line(const Problem& problem, const std::string& name,
   const std::string file = std::filesystem::path(problem->source->file).filename().string();
   std::string text = fmt::format("vcrit generate {} --out DIR --name {}", file, name);
   if (options.language != "c++") text += " --language " + options.language;
-  if (!options.fixed.empty()) text += fmt::format(" --fix {}", fmt::join(options.fixed, ","));
+  if (!options.fixed.empty()) text += fmt::format(" --fix {}", joined(options.fixed, ","));
   if (options.quantities) text += " --quantities";
   return text;
 }
@@ -114,7 +114,7 @@ std::string fixed_text(const Problem& problem, const FixedValues& fixed) {
   std::vector<std::string> texts;
   for (const auto& [symbol, value] : fixed)
     texts.push_back(fmt::format("{} = {}", to_text(as_called(problem, symbol)), to_text(value)));
-  return texts.empty() ? "" : fmt::format("Fixed: {}.", fmt::join(texts, ", "));
+  return texts.empty() ? "" : fmt::format("Fixed: {}.", joined(texts, ", "));
 }
 
 }  // namespace vcrit::symbolic

@@ -1,12 +1,12 @@
 #include "emit/pieces.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "analysis/residues.hpp"
+#include "base/joined.hpp"
 #include "base/numbers.hpp"
 #include "emit/words.hpp"
 #include "formula/names.hpp"
@@ -74,7 +74,7 @@ std::string allowed_body(const ParameterList& parameters, const VelocityProgram&
     std::erase(all, parameters.reference(*velocity.poisson));
     rest = poisson_check(parameters, velocity);
   }
-  return statement(fmt::format("const double all[] = {{{}}};", fmt::join(all, ", "))) +
+  return statement(fmt::format("const double all[] = {{{}}};", joined(all, ", "))) +
          statement("int n = 0;") +
          statement(
              "for (const double* x = all; x != all + sizeof all / sizeof *all; ++x) n += (*x >= "
@@ -94,7 +94,7 @@ std::string meanings(const ParameterList& parameters) {
   }
   std::vector<std::string> texts;
   for (const auto& [meaning, names] : groups) texts.push_back(meaning + " " + names);
-  return fmt::format("SI units: {}.", fmt::join(texts, "; "));
+  return fmt::format("SI units: {}.", joined(texts, "; "));
 }
 
 }  // namespace vcrit::symbolic

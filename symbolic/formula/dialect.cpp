@@ -1,6 +1,6 @@
 #include "formula/dialect.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

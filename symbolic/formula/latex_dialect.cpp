@@ -1,10 +1,10 @@
 // Formulas in LaTeX's mathematics mode, with nothing but standard commands.
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>
 
+#include "base/joined.hpp"
 #include "formula/dialect.hpp"
 #include "formula/names.hpp"
 #include "formula/notation.hpp"
@@ -46,7 +46,7 @@ class LatexDialect : public Dialect {
     if (!n.index.empty()) {
       std::vector<std::string> parts;
       for (const std::string& part : n.index) parts.push_back(latex_index_part(part));
-      result += fmt::format("_{{{}}}", fmt::join(parts, ","));
+      result += fmt::format("_{{{}}}", joined(parts, ","));
     }
     if (n.above == "*") result += "^{*}";
     result += n.primes;
@@ -58,7 +58,7 @@ class LatexDialect : public Dialect {
     return left + (minus ? " - " : " + ") + right;
   }
   std::string product(const std::vector<std::string>& factors) const override {
-    return factors.empty() ? "1" : fmt::format("{}", fmt::join(factors, " "));
+    return factors.empty() ? "1" : joined(factors, " ");
   }
   PrintedPart fraction(const std::vector<PrintedPart>& over,
                        const std::vector<PrintedPart>& under) const override {

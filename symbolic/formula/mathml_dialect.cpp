@@ -1,11 +1,11 @@
 // Formulas in presentation MathML, which browsers set without help.
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>
 #include <map>
 
+#include "base/joined.hpp"
 #include "formula/dialect.hpp"
 #include "formula/names.hpp"
 #include "formula/notation.hpp"
@@ -58,7 +58,7 @@ class MathMlDialect : public Dialect {
       result = fmt::format("<mover>{}<mo>{}</mo></mover>", result, dots == 1 ? "˙" : "¨");
     std::vector<std::string> parts;
     for (const std::string& part : n.index) parts.push_back(mathml_index_part(part));
-    const std::string index = fmt::format("{}", fmt::join(parts, "<mo>,</mo>"));
+    const std::string index = joined(parts, "<mo>,</mo>");
     const bool star = n.above == "*";
     if (!n.primes.empty())
       return fmt::format("<msubsup>{}<mrow>{}</mrow><mo>{}</mo></msubsup>", result, index,
@@ -75,8 +75,7 @@ class MathMlDialect : public Dialect {
     return left + (minus ? "<mo>−</mo>" : "<mo>+</mo>") + right;
   }
   std::string product(const std::vector<std::string>& factors) const override {
-    return factors.empty() ? "<mn>1</mn>"
-                           : fmt::format("{}", fmt::join(factors, "<mo>&#x2062;</mo>"));
+    return factors.empty() ? "<mn>1</mn>" : joined(factors, "<mo>&#x2062;</mo>");
   }
   PrintedPart fraction(const std::vector<PrintedPart>& over,
                        const std::vector<PrintedPart>& under) const override {

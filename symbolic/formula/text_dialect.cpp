@@ -1,7 +1,7 @@
 // Formulas as plain text that most programs read: k_n*(k_t + k_d - m*omega^2)/k_t.
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
+#include "base/joined.hpp"
 #include "formula/dialect.hpp"
 #include "formula/names.hpp"
 
@@ -17,7 +17,7 @@ class TextDialect : public Dialect {
     return left + (minus ? " - " : " + ") + right;
   }
   std::string product(const std::vector<std::string>& factors) const override {
-    return factors.empty() ? "1" : fmt::format("{}", fmt::join(factors, "*"));
+    return factors.empty() ? "1" : joined(factors, "*");
   }
   PrintedPart fraction(const std::vector<PrintedPart>& over,
                        const std::vector<PrintedPart>& under) const override {

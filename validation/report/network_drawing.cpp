@@ -32,7 +32,7 @@ Label names_of(const Element& element, const NetworkLook& look) {
   Label names;
   const auto add = [&](const Symbol& symbol, NumberRole) {
     if (!names.empty()) names.push_back({"", ", ", ""});
-    names = joined({names, label(symbol)});
+    names = concatenated({names, label(symbol)});
     if (look.value) names.push_back({"", look.value(symbol), ""});
   };
   for_each_amount(element, [&](const Amount& amount, NumberRole role) {
@@ -71,7 +71,7 @@ Drawing symbol_of(const Element& element) {
     case ElementKind::measured:
       return drawn(measured_box());
     case ElementKind::maxwell:
-      return drawn(joined({{spring}, moved(element_width, 0, {damper})}), 2);
+      return drawn(concatenated({{spring}, moved(element_width, 0, {damper})}), 2);
   }
   throw Bug("an element without a symbol");
 }
@@ -119,9 +119,9 @@ Drawing draw_series(const Series& series, const NetworkLook& look) {
 
 Shapes branch_in(const Drawing& branch, double y, double inner) {
   const double begin = bus + (inner - branch.width) / 2, end = begin + branch.width;
-  return joined({{line(bus / 2, y, begin, y)},
-                 moved(begin, y, branch.shapes),
-                 {line(end, y, inner + 1.5 * bus, y)}});
+  return concatenated({{line(bus / 2, y, begin, y)},
+                       moved(begin, y, branch.shapes),
+                       {line(end, y, inner + 1.5 * bus, y)}});
 }
 
 Shapes bar(double x, double top, double bottom, double outer) {
@@ -197,9 +197,9 @@ Shapes edge(const Network& part, LayoutPoint from, LayoutPoint to, const Network
   const bool upright = element != nullptr && symbol_of(*element).width == element_width;
   const Drawing drawing = upright ? symbol_of(*element) : draw(part, look);
   const double lead = (length - drawing.width) / 2;
-  Shapes all = joined({{line(0, 0, lead, 0)},
-                       moved(lead, 0, drawing.shapes),
-                       {line(lead + drawing.width, 0, length, 0)}});
+  Shapes all = concatenated({{line(0, 0, lead, 0)},
+                             moved(lead, 0, drawing.shapes),
+                             {line(lead + drawing.width, 0, length, 0)}});
   transform(all, fmt::format("translate({:.1f} {:.1f}) rotate({:.2f})", from.x, from.y,
                              angle * 180 / pi));
   const LayoutPoint middle{(from.x + to.x) / 2, (from.y + to.y) / 2};

@@ -79,7 +79,7 @@ DrawnShape text(double x, double y, const Label& words, const char* anchor = "mi
 
 /// All of them in one list.
 template <class Item>
-std::vector<Item> joined(std::initializer_list<std::vector<Item>> lists) {
+std::vector<Item> concatenated(std::initializer_list<std::vector<Item>> lists) {
   std::vector<Item> all;
   for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
   return all;

@@ -62,7 +62,7 @@ class DrawnNetwork {
     if (layout == Layout::names_alone || numbers > most_with_values) {
       if (numbers <= most_listed)
         for (const Symbol& symbol : order)
-          values_.push_back(joined({label(symbol), {plain(words[symbol])}}));
+          values_.push_back(concatenated({label(symbol), {plain(words[symbol])}}));
     } else {
       look_.value = [words](const Symbol& symbol) {
         const auto found = words.find(symbol);
@@ -106,7 +106,7 @@ Label coefficient_words(const Problem& problem) {
   const Symbol symbol = as_called(problem, problem->coefficient.symbol);
   const std::string value = value_words(problem, problem->coefficient, "");
   if (symbol == Symbol{"mu0"}) return {italic("μ"), lowered("0"), raised(value)};
-  return joined({label(symbol), {plain(value)}});
+  return concatenated({label(symbol), {plain(value)}});
 }
 
 /// "u_z(t) = 0.5 + 0.1 cos ωt µm"; under a load "W = 20 N, Δu_z(t) = 0.1 cos ωt µm"
@@ -114,13 +114,14 @@ Label oscillation_words(const Problem& problem) {
   const double amplitude = problem.value(problem->amplitude);
   if (problem->load) {
     const Scale scale = scale_for(amplitude, "m");
-    const Label load = joined({label(as_called(problem, problem->load->symbol)),
-                               {plain(value_words(problem, *problem->load, "N"))}});
+    const Label load = concatenated({label(as_called(problem, problem->load->symbol)),
+                                     {plain(value_words(problem, *problem->load, "N"))}});
     if (problem->mount)
-      return joined({load,
-                     {plain(", "), italic("U"),
-                      plain(fmt::format(" = {:.4g} {}", amplitude * scale.factor, scale.unit))}});
-    return joined(
+      return concatenated(
+          {load,
+           {plain(", "), italic("U"),
+            plain(fmt::format(" = {:.4g} {}", amplitude * scale.factor, scale.unit))}});
+    return concatenated(
         {load,
          {plain(", "), italic("Δu"), lowered("z"),
           raised(fmt::format("(t) = {:.4g} cos ωt {}", amplitude * scale.factor, scale.unit))}});
@@ -293,7 +294,7 @@ double SystemDrawing::draw_mount(double top, const Drawing& mount) {
   canvas_.write(0, (upper + lower) / 2 + 5, {plain("vibrator")}, "middle");
   if (problem_->mount_mass &&
       !(problem_->mass && problem_->mass->symbol == problem_->mount_mass->symbol)) {
-    const Label mass = joined(
+    const Label mass = concatenated(
         {label(as_called(problem_, problem_->mount_mass->symbol)),
          {plain(value_words(problem_, *problem_->mount_mass, "kg") + " along the normal")}});
     if (in_list())
@@ -326,8 +327,8 @@ Picture SystemDrawing::drawn() {
   const Drawing mount = problem_->mount ? network(*problem_->mount, true) : Drawing();
   const double post = std::max(14.0, mount.above) + 16;  // of a drive above the body
   const double left = problem_->indenter ? -60 : -body_reach,
-               right = std::max({contact.right, body_reach,
-                                 layout_ == Layout::drive_beside ? 0 : post + 8}),
+               right = std::max(
+                   {contact.right, body_reach, layout_ == Layout::drive_beside ? 0 : post + 8}),
                bottom = problem_->indenter ? -16 : 0,
                top = bottom - (problem_->mass ? body_height : plate_height);
   canvas_.put(
@@ -336,13 +337,13 @@ Picture SystemDrawing::drawn() {
   canvas_.reach(left, right, top, bottom);
   if (problem_->mass) {
     canvas_.write((left + right) / 2, (top + bottom) / 2 + 5,
-                  joined({label(as_called(problem_, problem_->mass->symbol)),
-                          {plain(value_words(problem_, *problem_->mass, "kg"))}}),
+                  concatenated({label(as_called(problem_, problem_->mass->symbol)),
+                                {plain(value_words(problem_, *problem_->mass, "kg"))}}),
                   "middle");
     words_ += ", body";
   }
   const double drive_top = layout_ == Layout::drive_beside ? draw_drive(right, (top + bottom) / 2)
-                                                     : draw_drive_above(post, top);
+                                                           : draw_drive_above(post, top);
   draw_motion(problem_->mount ? draw_mount(top, mount) : top, drive_top);
   double below = contact.bottom + 28;
   const auto* isotropic = std::get_if<Isotropic>(&problem_->tangential);

@@ -1,7 +1,6 @@
 #include "run/driver.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "base/files.hpp"
+#include "base/joined.hpp"
 #include "emit/generate.hpp"
 #include "run/driver_source.hpp"
 
@@ -106,7 +106,11 @@ std::vector<WayAnswers> Driver::run(const std::vector<std::vector<double>>& sets
                                     const std::vector<Way>& ways) const {
   const std::filesystem::path in = folder_->path() / "sets", out = folder_->path() / "answers";
   std::string text = fmt::format("{}\n", sets.size());
-  for (const std::vector<double>& set : sets) text += fmt::format("{:a}\n", fmt::join(set, " "));
+  for (const std::vector<double>& set : sets) {
+    std::vector<std::string> numbers;
+    for (const double number : set) numbers.push_back(fmt::format("{:a}", number));
+    text += joined(numbers, " ") + "\n";
+  }
   write_file(in, text);
   std::vector<std::string> command{folder_->path() / "driver", in, out};
   for (const Way& way : ways) command.push_back(way.key);

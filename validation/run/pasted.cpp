@@ -1,10 +1,10 @@
 #include "run/pasted.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <map>
 
+#include "base/joined.hpp"
 #include "formula/dialect.hpp"
 #include "formula/names.hpp"
 #include "formula/symbols.hpp"
@@ -37,7 +37,7 @@ class Pasted : public symbolic::Dialect {
     return left + (minus ? " - " : " + ") + right;
   }
   std::string product(const std::vector<std::string>& factors) const override {
-    return factors.empty() ? "1.0" : fmt::format("{}", fmt::join(factors, "*"));
+    return factors.empty() ? "1.0" : joined(factors, "*");
   }
   PrintedPart fraction(const std::vector<PrintedPart>& over,
                        const std::vector<PrintedPart>& under) const override {

@@ -1,9 +1,9 @@
 #include "document/systems/system_dialect.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include "base/errors.hpp"
+#include "base/joined.hpp"
 #include "formula/names.hpp"
 
 namespace vcrit::symbolic {
@@ -30,7 +30,7 @@ std::string SystemDialect::added(const std::string& left, bool minus,
 }
 
 std::string SystemDialect::product(const std::vector<std::string>& factors) const {
-  return factors.empty() ? number("1") : fmt::format("{}", fmt::join(factors, "*"));
+  return factors.empty() ? number("1") : joined(factors, "*");
 }
 
 // Of two natural numbers one, as where they would be divided without the system.

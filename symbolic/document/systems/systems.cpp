@@ -1,11 +1,11 @@
 // The table of systems, and how a formula becomes a document of one.
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
 
 #include "base/errors.hpp"
+#include "base/joined.hpp"
 #include "base/plain_text.hpp"
 #include "document/print.hpp"
 #include "document/systems/names.hpp"
@@ -111,7 +111,7 @@ const AlgebraSystem& system_of(const std::string& name) {
   for (const AlgebraSystem* system : systems())
     if (system->name == name) return *system;
   throw InputError(argument("format"), '"' + name + '"',
-                   fmt::format("one of {}", fmt::join(system_names(), ", ")));
+                   fmt::format("one of {}", joined(system_names(), ", ")));
 }
 
 }  // namespace

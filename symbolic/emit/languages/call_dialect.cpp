@@ -1,11 +1,11 @@
 #include "emit/languages/call_dialect.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <tuple>
 
 #include "base/errors.hpp"
+#include "base/joined.hpp"
 #include "emit/languages/cpp/dialect.hpp"
 #include "formula/symbols.hpp"
 
@@ -31,7 +31,7 @@ std::string CallDialect::function(const std::string& name) const {
 
 Operand CallDialect::call(const std::string& name,
                           const std::vector<std::string>& arguments) const {
-  return {fmt::format("{}({})", function(name), fmt::join(arguments, ", ")), NodeKind::value, true};
+  return {fmt::format("{}({})", function(name), joined(arguments, ", ")), NodeKind::value, true};
 }
 
 std::string CallDialect::type(NodeKind kind) const {

@@ -1,11 +1,11 @@
 #include "emit/languages/evaluator.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "base/joined.hpp"
 #include "emit/languages/cpp/dialect.hpp"
 #include "emit/pieces.hpp"
 #include "program/proof.hpp"
@@ -68,7 +68,7 @@ std::string in_range(const Evaluator& evaluator, const Spelling& spelling,
                                  code.expression(guard.expression).text));
   if (evaluator.velocity.poisson)
     checks.push_back(poisson_check(evaluator.parameters, evaluator.velocity));
-  return fmt::format("{}", fmt::join(checks, conjunction));
+  return joined(checks, conjunction);
 }
 
 std::vector<std::string> entries(const ParameterList& parameters) {
@@ -85,14 +85,14 @@ std::string c_members(const ParameterList& parameters) {
   for (const Member& member : parameters.members())
     names.push_back(member.length == 0 ? member.name
                                        : fmt::format("{}[{}]", member.name, member.length));
-  return statement(fmt::format("double {};", fmt::join(names, ", ")));
+  return statement(fmt::format("double {};", joined(names, ", ")));
 }
 
 std::string statements(const std::vector<StraightLine::Declarations>& declarations,
                        const CodeDialect& dialect) {
   std::string out;
   for (const auto& [kind, items] : declarations)
-    out += statement(fmt::format("{} {};", dialect.type(kind), fmt::join(items, ", ")));
+    out += statement(fmt::format("{} {};", dialect.type(kind), joined(items, ", ")));
   return out;
 }
 

@@ -1,11 +1,11 @@
 // The table of languages, and names that one of them refuses.
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <sstream>
 
 #include "base/errors.hpp"
+#include "base/joined.hpp"
 #include "emit/languages/language.hpp"
 #include "emit/names.hpp"
 
@@ -53,7 +53,7 @@ const Language& language_of(const GenerateOptions& options) {
     return *language;
   }
   throw InputError(argument("language"), fmt::format("\"{}\"", options.language),
-                   fmt::format("one of {}", fmt::join(language_names(), ", ")));
+                   fmt::format("one of {}", joined(language_names(), ", ")));
 }
 
 bool is_among(std::string_view words, std::string_view name) {

@@ -1,12 +1,12 @@
 // What accompanies a generated header: a test program and what CMake builds both by.
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <map>
 #include <optional>
 #include <vector>
 
+#include "base/joined.hpp"
 #include "base/numbers.hpp"
 #include "critical/certified.hpp"
 #include "emit/generate.hpp"
@@ -154,7 +154,7 @@ std::string euler(const Evaluator& evaluator) {
   for (const std::string& member :
        element_members(evaluator.derivation.problem, evaluator.parameters))
     terms.push_back(member + " * d" + member.substr(1));
-  return fmt::format("{}", fmt::join(terms, ", "));
+  return joined(terms, ", ");
 }
 
 /// A fast sweep gives the bits of single calls, or takes polynomials in omega: T, Q, D and N

@@ -1,11 +1,11 @@
 // The generated header put together from its parts.
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <functional>
 #include <map>
 
+#include "base/joined.hpp"
 #include "emit/languages/cpp/cpp_files.hpp"
 #include "emit/languages/cpp/dialect.hpp"
 #include "emit/languages/sections.hpp"
@@ -50,10 +50,9 @@ std::string flags(const ParameterList& parameters, const std::string& name,
     std::vector<std::string> entries;
     for (int i = 1; i <= member.length; ++i) entries.push_back(entry({member.symbol, i}));
     all.push_back(member.length == 0 ? entry({member.symbol})
-                                     : fmt::format("{{{}}}", fmt::join(entries, ", ")));
+                                     : fmt::format("{{{}}}", joined(entries, ", ")));
   }
-  return statement(fmt::format("constexpr Varying {}{{{}}};", name, fmt::join(all, ", ")))
-      .substr(2);
+  return statement(fmt::format("constexpr Varying {}{{{}}};", name, joined(all, ", "))).substr(2);
 }
 
 /// each(f, a, b, ...): f(a.k0, b.k0, ...) for every number, without a loop, which compilers would
@@ -66,7 +65,7 @@ std::string each_function(const ParameterList& parameters) {
       calls.push_back(fmt::format("f(a.{}[{}]...);", member.name, i));
   }
   return "[[gnu::always_inline]] constexpr void each(auto f, auto&&... a) {\n" +
-         statement(fmt::format("{}", fmt::join(calls, " "))) + "}\n";
+         statement(joined(calls, " ")) + "}\n";
 }
 
 /// Which parameters the value is computed from in more than one place.
@@ -113,8 +112,7 @@ std::string cpp_range_function(const VelocityProgram& velocity, const ParameterL
   std::vector<std::string> tests, checked;
   const auto finish = [&] {
     if (!checked.empty())
-      tests.push_back(
-          fmt::format("within(0x1p{}, {})", velocity.exponent, fmt::join(checked, ", ")));
+      tests.push_back(fmt::format("within(0x1p{}, {})", velocity.exponent, joined(checked, ", ")));
     checked.clear();
   };
   for (const Guard& guard : velocity.guards) {
@@ -123,7 +121,7 @@ std::string cpp_range_function(const VelocityProgram& velocity, const ParameterL
   }
   finish();
   if (velocity.poisson) tests.push_back(poisson_check(parameters, velocity));
-  const std::string list = fmt::format("{}", fmt::join(tests, ", "));
+  const std::string list = joined(tests, ", ");
   const std::string every = tests.size() > 1 ? "every(" + list + ")" : list;
   const std::string test = velocity.fits ? every : "false";
   return "inline bool " + name + "([[maybe_unused]] const Parameters& p) {\n" +
@@ -135,7 +133,7 @@ std::string declarations(StraightLine& code, const std::vector<NodeId>& results,
                          const CppDialect& dialect) {
   std::string out;
   for (const auto& [kind, items] : code.declare(results))
-    out += statement(fmt::format("{} {};", dialect.type(kind), fmt::join(items, ", ")));
+    out += statement(fmt::format("{} {};", dialect.type(kind), joined(items, ", ")));
   return out;
 }
 
@@ -165,10 +163,10 @@ std::string cpp_evaluation(const VelocityProgram& velocity, const GradientProgra
                             ? "0.0"
                             : fmt::format("double({})", text(partial->second)));
     }
-    const std::string list = fmt::format("{}", fmt::join(entries, ", "));
+    const std::string list = joined(entries, ", ");
     partials.push_back(member.length == 0 ? list : "{" + list + "}");
   }
-  return out + statement(fmt::format("((partial = {{{}}}), ...);", fmt::join(partials, ", "))) +
+  return out + statement(fmt::format("((partial = {{{}}}), ...);", joined(partials, ", "))) +
          "  }\n" + statement(value) + "}\n";
 }
 

@@ -2,12 +2,12 @@
 #include "emit/languages/cpp/quantities.hpp"
 
 #include <fmt/args.h>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 
 #include "base/errors.hpp"
+#include "base/joined.hpp"
 #include "emit/generate.hpp"
 #include "emit/languages/cpp/double_dialect.hpp"
 #include "emit/languages/cpp/groups.hpp"
@@ -273,14 +273,14 @@ class Header {
                            group.meaning + (group.is_array ? ", ..." : ""));
       nodes.insert(nodes.end(), group.values.begin(), group.values.end());
       const std::vector<std::string> entries(group.values.size(), "{}");
-      const std::string list = fmt::format("{}", fmt::join(entries, ", "));
+      const std::string list = joined(entries, ", ");
       places.push_back(group.is_array ? "{{" + list + "}}" : list);
     }
     return "\n" + comment(parameters_.named("What v*/(THE_MU0 THE_OMEGA THE_DU_Z) depends on.")) +
            "struct DimensionlessGroups {\n" + member_lines(members) + "};\n" +
            function(quantities_.program, "The groups at these parameters.",
                     "DimensionlessGroups dimensionless_groups", nodes,
-                    fmt::format("{{{{{}}}}}", fmt::join(places, ", ")));
+                    fmt::format("{{{{{}}}}}", joined(places, ", ")));
   }
 
   const Derivation& derivation_;

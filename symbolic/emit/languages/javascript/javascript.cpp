@@ -1,9 +1,9 @@
 // The JavaScript module: plain functions on objects {hi, lo}.
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 
+#include "base/joined.hpp"
 #include "emit/languages/language.hpp"
 #include "emit/languages/sections.hpp"
 #include "emit/pieces.hpp"
@@ -27,12 +27,12 @@ std::string object(const ParameterList& parameters, const std::vector<std::strin
   auto next = texts.begin();
   for (const Member& member : parameters.members()) {
     const auto end = next + std::max(member.length, 1);
-    const std::string list = fmt::format("{}", fmt::join(next, end, ", "));
+    const std::string list = joined(std::vector<std::string>(next, end), ", ");
     members.push_back(
         fmt::format("{}: {}", member.name, member.length == 0 ? list : "[" + list + "]"));
     next = end;
   }
-  return fmt::format("{{ {} }}", fmt::join(members, ", "));
+  return fmt::format("{{ {} }}", joined(members, ", "));
 }
 
 std::string javascript_evaluation(const Evaluator& evaluator, CallGrade grade,

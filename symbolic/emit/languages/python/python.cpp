@@ -1,7 +1,7 @@
 // The Python module: NumPy's arithmetic on pairs of arrays.
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
+#include "base/joined.hpp"
 #include "emit/languages/language.hpp"
 #include "emit/languages/sections.hpp"
 #include "emit/pieces.hpp"
@@ -80,7 +80,7 @@ std::string conversions(const ParameterList& parameters) {
   return fmt::format(
       "def _given(p):\n    return Parameters(\n        {},\n    )\n\n\n"
       "def _gathered(x):\n    return Parameters(\n        {},\n    )\n",
-      fmt::join(given, ",\n        "), fmt::join(gathered, ",\n        "));
+      joined(given, ",\n        "), joined(gathered, ",\n        "));
 }
 
 std::string python_evaluation(const Evaluator& evaluator, CallGrade grade,
@@ -93,7 +93,7 @@ std::string python_evaluation(const Evaluator& evaluator, CallGrade grade,
                      code.below, code.factor, code.roundings) +
          "    if not gradient:\n        return r\n" + python_lines(code.gradient) +
          fmt::format("    return r._replace(partial=[\n        {},\n    ])\n",
-                     fmt::join(code.partials, ",\n        "));
+                     joined(code.partials, ",\n        "));
 }
 
 std::string python_text(const Evaluator& evaluator, const std::string&) {

@@ -1,9 +1,9 @@
 // The Rust module: functions on copied structures, of the standard library alone.
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 
+#include "base/joined.hpp"
 #include "emit/languages/language.hpp"
 #include "emit/languages/sections.hpp"
 #include "emit/pieces.hpp"
@@ -60,7 +60,7 @@ std::string rust_allowed(const Evaluator& evaluator) {
     std::erase(all, evaluator.parameters.reference(*velocity.poisson));
     rest = " && " + poisson_check(evaluator.parameters, velocity);
   }
-  return rust_statement(fmt::format("let all = [{}];", fmt::join(all, ", "))) +
+  return rust_statement(fmt::format("let all = [{}];", joined(all, ", "))) +
          rust_statement("all.iter().all(|x| (0.0..=f64::MAX).contains(x))" + rest);
 }
 
