@@ -15,6 +15,7 @@
 #include "base/files.hpp"
 #include "base/joined.hpp"
 #include "base/plain_text.hpp"
+#include "base/sort_stably.hpp"
 #include "commands.hpp"
 #include "options.hpp"
 #include "problem/findings.hpp"
@@ -116,11 +117,9 @@ CheckedScene checked_scene(const std::string& file) {
     add_model_warning(scene, *found.problem);
     scene.commands = answering_commands(*found.problem);
   }
-  std::stable_sort(scene.problems.begin(), scene.problems.end(),
-                   [](const SceneProblem& a, const SceneProblem& b) {
-                     return std::tie(a.place.line, a.place.column) <
-                            std::tie(b.place.line, b.place.column);
-                   });
+  sort_stably(scene.problems, [](const SceneProblem& a, const SceneProblem& b) {
+    return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
+  });
   return scene;
 }
 

@@ -5,6 +5,7 @@
 
 #include "answers/critical_onset.hpp"
 #include "base/errors.hpp"
+#include "base/sort_stably.hpp"
 
 namespace vcrit {
 
@@ -38,9 +39,8 @@ std::vector<Share> shares_of(const Problem& problem, std::span<const Symbol> sym
     return {};
   }
   std::erase_if(all, [](const Share& it) { return !(std::abs(it.share) > least_that_matters); });
-  std::stable_sort(all.begin(), all.end(), [](const Share& a, const Share& b) {
-    return std::abs(a.share) > std::abs(b.share);
-  });
+  sort_stably(all,
+              [](const Share& a, const Share& b) { return std::abs(a.share) > std::abs(b.share); });
   return all;
 }
 

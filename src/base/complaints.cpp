@@ -1,6 +1,6 @@
 #include "base/complaints.hpp"
+#include "base/sort_stably.hpp"
 
-#include <algorithm>
 #include <tuple>
 
 namespace vcrit {
@@ -18,7 +18,7 @@ void Complaints::add(const InputError& complaint) {
 
 std::vector<InputError> Complaints::sorted() const {
   std::vector<InputError> all = all_;
-  std::stable_sort(all.begin(), all.end(), [](const InputError& a, const InputError& b) {
+  sort_stably(all, [](const InputError& a, const InputError& b) {
     return std::tie(a.place().line, a.place().column) < std::tie(b.place().line, b.place().column);
   });
   return all;

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstddef>
@@ -11,6 +10,7 @@
 
 #include "base/identifiers.hpp"
 #include "base/joined.hpp"
+#include "base/sort_stably.hpp"
 #include "base/trimmed.hpp"
 
 namespace vcrit {
@@ -83,8 +83,7 @@ std::string with_plain_micro(std::string unit) {
 constexpr std::size_t most_units_offered = 2;
 
 Units best(std::vector<std::pair<std::size_t, std::string>> found) {
-  std::stable_sort(found.begin(), found.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  sort_stably(found, [](const auto& a, const auto& b) { return a.first < b.first; });
   Units units;
   for (const auto& [distance, unit] : found)
     if (units.size() < most_units_offered) units.push_back(unit);

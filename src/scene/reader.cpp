@@ -14,6 +14,7 @@
 #include "base/constants.hpp"
 #include "base/files.hpp"
 #include "base/joined.hpp"
+#include "base/sort_stably.hpp"
 #include "base/units.hpp"
 #include "network/masses.hpp"
 #include "scene/document.hpp"
@@ -363,7 +364,7 @@ class Reader {
 
 /// Those of the scene's own file first, by line.
 std::vector<Warning> sorted(std::vector<Warning> warnings) {
-  std::stable_sort(warnings.begin(), warnings.end(), [](const Warning& a, const Warning& b) {
+  sort_stably(warnings, [](const Warning& a, const Warning& b) {
     return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
   });
   return warnings;

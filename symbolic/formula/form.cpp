@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
+#include "base/sort_stably.hpp"
 #include "formula/dialect.hpp"
 #include "formula/names.hpp"
 
@@ -67,7 +68,7 @@ void sort_terms(std::vector<Signed>& terms) {
              key(term.form)};
     keyed.emplace_back(std::move(rank), std::move(term));
   }
-  std::sort(keyed.begin(), keyed.end(), [](const auto& a, const auto& b) {
+  sort_stably(keyed, [](const auto& a, const auto& b) {
     const auto& [degree_a, sum_a, drive_a, text_a] = a.first;
     const auto& [degree_b, sum_b, drive_b, text_b] = b.first;
     const auto first = std::tie(degree_a, sum_a, drive_a),
@@ -123,7 +124,7 @@ void sort_factors(std::vector<Form>& factors) {
   std::vector<std::tuple<int, std::string, Form>> keyed;
   for (Form& factor : factors)
     keyed.emplace_back(rank(factor, prefactor), key(factor), std::move(factor));
-  std::sort(keyed.begin(), keyed.end(), [](const auto& a, const auto& b) {
+  sort_stably(keyed, [](const auto& a, const auto& b) {
     if (std::get<0>(a) != std::get<0>(b)) return std::get<0>(a) < std::get<0>(b);
     return natural_less(std::get<1>(a), std::get<1>(b));
   });

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "base/sort_stably.hpp"
 #include "formula/dialect.hpp"
 #include "formula/names.hpp"
 
@@ -69,7 +70,7 @@ struct SeriesTerm {
 
 /// Runs of consecutive numbers among terms of one pattern, each long enough to be a series.
 std::vector<std::vector<SeriesTerm>> runs(std::vector<SeriesTerm> terms) {
-  std::sort(terms.begin(), terms.end(), [](const SeriesTerm& a, const SeriesTerm& b) {
+  sort_stably(terms, [](const SeriesTerm& a, const SeriesTerm& b) {
     return a.member.number < b.member.number;
   });
   std::vector<std::vector<SeriesTerm>> result;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/sort_stably.hpp"
 #include "formula/dialect.hpp"
 #include "formula/names.hpp"
 #include "formula/series.hpp"
@@ -334,7 +335,7 @@ Form Lines::sum(const FormulaStep& step) const {
   std::vector<PlacedTerm> terms;
   for (const StepPart& part : step.parts)
     terms.push_back({parity_.is_square_of_odd(part.step), {part.sign < 0, of(part.step)}});
-  std::sort(terms.begin(), terms.end(), before_in_sum);
+  sort_stably(terms, before_in_sum);
   for (PlacedTerm& term : terms) form.terms.push_back(std::move(term.text));
   return form;
 }

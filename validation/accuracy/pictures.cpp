@@ -8,6 +8,7 @@
 #include <map>
 
 #include "base/constants.hpp"
+#include "base/sort_stably.hpp"
 
 namespace vcrit::validation::accuracy {
 
@@ -70,8 +71,8 @@ FigureSeries front(const std::vector<Item>& items) {
   FigureSeries series{"Pareto front", Style::dashed, {}, 2};
   for (const Item& item : items)
     if (item.on_front) series.points.push_back(point(item));
-  std::sort(series.points.begin(), series.points.end(),
-            [](const figures::Point& a, const figures::Point& b) { return a.x < b.x; });
+  sort_stably(series.points,
+              [](const figures::Point& a, const figures::Point& b) { return a.x < b.x; });
   return series;
 }
 

@@ -5,6 +5,7 @@
 
 #include "accuracy/stability.hpp"
 #include "base/constants.hpp"
+#include "base/sort_stably.hpp"
 #include "critical/conditioning.hpp"
 #include "extremes/comparing.hpp"
 
@@ -92,8 +93,7 @@ Tally tally(const Claimed& claimed, const Known& known) {
 }
 
 void keep_worst(std::vector<BadAnswer>& answers) {
-  std::stable_sort(answers.begin(), answers.end(),
-                   [](const BadAnswer& a, const BadAnswer& b) { return a.lost > b.lost; });
+  sort_stably(answers, [](const BadAnswer& a, const BadAnswer& b) { return a.lost > b.lost; });
   answers.resize(std::min(answers.size(), most_worst));
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort_stably.hpp"
 #include "paper/paper.hpp"
 #include "paper/verdicts.hpp"
 
@@ -226,8 +227,7 @@ std::vector<Claim> judge(const Paper& paper) {
   for (const auto& part : {about_velocity(paper), about_friction(paper), about_viscosity(paper),
                            about_the_rest(paper)})
     for (const Claim& each : part) claims.push_back(claim(paper, each));
-  std::sort(claims.begin(), claims.end(),
-            [](const Claim& a, const Claim& b) { return a.number < b.number; });
+  sort_stably(claims, [](const Claim& a, const Claim& b) { return a.number < b.number; });
   return claims;
 }
 
