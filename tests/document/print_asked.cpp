@@ -12,6 +12,7 @@
 #include "formula/algebra_lock.hpp"
 #include "formula/names.hpp"
 #include "problem/problem.hpp"
+#include "record/json_text.hpp"
 
 namespace {
 
@@ -30,7 +31,7 @@ Format format_called(const std::string& name) {
   return found == formats.end() ? Format::system : found->second;
 }
 
-symbolic::DocumentOptions options_of(const nlohmann::json& asked) {
+symbolic::DocumentOptions options_of(const nlohmann::ordered_json& asked) {
   static const std::map<std::string, ResultForm> forms{
       {"shortest", ResultForm::shortest},           {"nested", ResultForm::nested},
       {"storage-loss", ResultForm::storage_loss},   {"rational", ResultForm::rational},
@@ -42,13 +43,13 @@ symbolic::DocumentOptions options_of(const nlohmann::json& asked) {
   return options;
 }
 
-nlohmann::json documents(const nlohmann::json& asked) {
+nlohmann::ordered_json documents(const nlohmann::ordered_json& asked) {
   const Problem problem = read_problem(asked.at("scene"));
   symbolic::DocumentOptions options = options_of(asked);
   const symbolic::AlgebraLock lock;
   const symbolic::NamesOfScene names(problem);
   std::map<Format, symbolic::Findings> found;
-  nlohmann::json documents;
+  nlohmann::ordered_json documents;
   for (const std::string name : asked.at("formats")) {
     options.format = format_called(name);
     // Sensitivities of JSON are others: text has the numbers of the scene besides.
@@ -64,5 +65,5 @@ nlohmann::json documents(const nlohmann::json& asked) {
 
 int main() {
   for (std::string line; std::getline(std::cin, line);)
-    std::cout << documents(nlohmann::json::parse(line)).dump() << '\n';
+    std::cout << documents(record::read_json(line)).dump() << '\n';
 }

@@ -13,6 +13,7 @@
 #include "formula/form.hpp"
 #include "formula/symbols.hpp"
 #include "formula/text.hpp"
+#include "record/json_text.hpp"
 #include "support/program.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_print)
@@ -185,7 +186,7 @@ BOOST_AUTO_TEST_CASE(short_lines_are_joined) {
 }
 
 BOOST_AUTO_TEST_CASE(json_has_the_promised_parts) {
-  const auto json = nlohmann::json::parse(print(test::kelvin_scene(), {Format::json, true}));
+  const auto json = record::read_json(print(test::kelvin_scene(), {Format::json, true}));
   BOOST_TEST(json.at("title") == "test");
   BOOST_TEST(json.at("parameters").size() == 9u);
   BOOST_TEST(json.at("critical_velocity").at("text") ==
@@ -199,10 +200,10 @@ BOOST_AUTO_TEST_CASE(json_has_the_promised_parts) {
 
 BOOST_AUTO_TEST_CASE(json_has_what_was_asked_for) {
   const Scene scene = test::kelvin_scene();
-  const auto plain = nlohmann::json::parse(print(scene, {Format::json, false}));
+  const auto plain = record::read_json(print(scene, {Format::json, false}));
   for (const char* key : {"limits", "asymptotes", "resonances", "sensitivities"})
     BOOST_TEST(plain.at(key).empty());
-  const auto json = nlohmann::json::parse(print(scene, {Format::json, true, true}));
+  const auto json = record::read_json(print(scene, {Format::json, true, true}));
   BOOST_TEST(json.at("asymptotes").size() == 2u);
   BOOST_TEST(json.at("asymptotes")[1].at("name") == "omega -> infinity");
   BOOST_TEST(json.at("asymptotes")[1].at("power") == 1);
@@ -245,7 +246,7 @@ BOOST_AUTO_TEST_CASE(the_result_is_the_shortest_form_where_it_fits_a_page) {
   const std::string text = print(zener, {});
   BOOST_TEST(text.find("    Z = kd - m*omega^2\n") != std::string::npos, text);
   BOOST_TEST(text.find("17/14 = K_n/K_t (Mindlin) for nu = 0.3") != std::string::npos, text);
-  const auto json = nlohmann::json::parse(print(zener, {Format::json}));
+  const auto json = record::read_json(print(zener, {Format::json}));
   BOOST_TEST(json["form"] == "shortest");
   BOOST_TEST(json["definitions"][1]["text"] == "Z = kd - m*omega^2");
   BOOST_TEST(json["lines"].back()["text"].get<std::string>() ==

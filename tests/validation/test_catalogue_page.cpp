@@ -2,11 +2,11 @@
 #include "report/catalogue_page.hpp"
 
 #include <boost/test/unit_test.hpp>
-#include <regex>
 #include <set>
 
 #include "network/catalogue.hpp"
 #include "report/assets.hpp"
+#include "support/patterns.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_catalogue_page)
 
@@ -45,11 +45,10 @@ std::string markup() {
 std::string first_unbalanced(const std::string& text) {
   static const std::set<std::string> empty{"meta", "!DOCTYPE"};
   std::vector<std::string> open;
-  const std::regex tag("<(/?)([A-Za-z0-9!]+)[^>]*?(/?)>");
-  for (std::sregex_iterator at(text.begin(), text.end(), tag), end; at != end; ++at) {
-    const std::string name = (*at)[2];
-    if (empty.contains(name) || (*at)[3].length() > 0) continue;
-    if ((*at)[1].length() == 0) {
+  for (const auto& tag : test::matches(text, "<(/?)([A-Za-z0-9!]+)[^>]*?(/?)>")) {
+    const std::string& name = tag[2];
+    if (empty.contains(name) || !tag[3].empty()) continue;
+    if (tag[1].empty()) {
       open.push_back(name);
     } else {
       if (open.empty() || open.back() != name) return name;
@@ -102,10 +101,10 @@ BOOST_AUTO_TEST_CASE(what_relaxes_has_a_spectrum) {
 // The name of MathML's namespace is no address that is called.
 BOOST_AUTO_TEST_CASE(nothing_is_loaded_and_nothing_runs) {
   const std::string text =
-      std::regex_replace(markup(), std::regex(" xmlns=\"http://www.w3.org/1998/Math/MathML\""), "");
+      test::without_matches(markup(), " xmlns=\"http://www.w3.org/1998/Math/MathML\"");
   for (const char* part : {"http:", "https:", " src=", "<link", "<script", "@import"})
     BOOST_TEST(!has(text, part), part);
-  BOOST_TEST(!std::regex_search(text, std::regex("href=\"(?!#)")));
+  BOOST_TEST(!test::has_match(text, "href=\"(?!#)"));
   BOOST_TEST(has(text, "default-src 'none'"));
 }
 
@@ -116,10 +115,9 @@ BOOST_AUTO_TEST_CASE(tags_are_balanced) {
 }
 
 BOOST_AUTO_TEST_CASE(links_lead_somewhere_and_names_are_given_once) {
-  const std::regex link("href=\"#([^\"]*)\"");
   const std::string text = markup();
-  for (std::sregex_iterator at(text.begin(), text.end(), link), end; at != end; ++at)
-    BOOST_TEST(count(text, " id=\"" + (*at)[1].str() + "\"") == 1, (*at)[1].str());
+  for (const auto& link : test::matches(text, "href=\"#([^\"]*)\""))
+    BOOST_TEST(count(text, " id=\"" + link[1] + "\"") == 1, link[1]);
 }
 
 BOOST_AUTO_TEST_CASE(the_same_bytes_again) { BOOST_TEST((catalogue_page() == html())); }

@@ -5,10 +5,10 @@
 
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <regex>
 
+#include "base/files.hpp"
+#include "record/json_text.hpp"
 #include "report/validate_extremes.hpp"
 #include "validation/example_report.hpp"
 #include "validation/extreme_family.hpp"
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(a_fault_is_the_verdict_and_the_files_are_written_all_the_sa
                       ("vcrit_test_extremes_page_" + std::to_string(::getpid()));
   const auto watch = [](const Standing&) {};
   const auto passed_of = [&] {
-    return nlohmann::json::parse(std::ifstream(folder / "report.json"))["passed"] == true;
+    return record::read_json(read_file(folder / "report.json"))["passed"] == true;
   };
   BOOST_TEST(report_extremes(honest_contents(), {{}, folder, {}}, watch).passed);
   BOOST_TEST(passed_of());
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(without_a_compiler_generated_code_is_not_run) {
 }
 
 BOOST_AUTO_TEST_CASE(the_json_has_the_losses) {
-  const auto report = nlohmann::json::parse(extremes_json(honest_contents()));
+  const auto report = record::read_json(extremes_json(honest_contents()));
   BOOST_TEST(report["passed"] == true);
   const auto& all = report["extremes"];
   BOOST_TEST(all["families"].size() == 1u);

@@ -7,6 +7,7 @@
 #include "derivation/derivation.hpp"
 #include "document/print.hpp"
 #include "problem/problem.hpp"
+#include "record/json_text.hpp"
 #include "report/scene_page.hpp"
 #include "scene/scene.hpp"
 #include "support/refusal.hpp"
@@ -36,8 +37,7 @@ BOOST_AUTO_TEST_CASE(velocity_is_shown_as_it_is_printed) {
         Shown{read_problem(VCRIT_SCENES "/measured_drive.toml"), false},
         Shown{test::scene_of(long_series), false}}) {
     BOOST_TEST_CONTEXT(problem->source->title) {
-      const auto printed =
-          nlohmann::json::parse(symbolic::print(problem, {symbolic::Format::json}));
+      const auto printed = record::read_json(symbolic::print(problem, {symbolic::Format::json}));
       const ShownVelocity shown = shown_velocity(symbolic::derive(problem));
       BOOST_TEST(shown.is_real == is_real);
       BOOST_TEST(printed["critical_velocity"]["text"] == shown.formula.text);

@@ -8,12 +8,12 @@
 #include <cmath>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <sstream>
 
 #include "paper/paper.hpp"
 #include "paper/references.hpp"
 #include "paper/verdicts.hpp"
+#include "support/patterns.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_paper_claims)
 
@@ -59,9 +59,8 @@ std::vector<std::vector<std::string>> table(const std::string& name) {
 /// Numbers with seven decimals and more, and half a unit of their last.
 std::vector<std::pair<double, double>> long_numbers(const std::string& text) {
   std::vector<std::pair<double, double>> numbers;
-  const std::regex number("[0-9]+\\.([0-9]{7,})");
-  for (std::sregex_iterator at(text.begin(), text.end(), number), end; at != end; ++at)
-    numbers.emplace_back(std::stod(at->str()), 0.5 * std::pow(10, -double(at->length(1))));
+  for (const auto& number : vcrit::test::matches(text, "[0-9]+\\.([0-9]{7,})"))
+    numbers.emplace_back(std::stod(number[0]), 0.5 * std::pow(10, -double(number[1].size())));
   return numbers;
 }
 

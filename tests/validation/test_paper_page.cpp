@@ -6,14 +6,15 @@
 
 #include <boost/test/unit_test.hpp>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <regex>
 
+#include "base/files.hpp"
 #include "paper/paper.hpp"
+#include "record/json_text.hpp"
 #include "report/assets.hpp"
 #include "report/validate.hpp"
+#include "support/patterns.hpp"
 #include "validation/example_report.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_paper_page)
@@ -109,7 +110,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_legible_is_not_as_printed) {
 
 // Sections about the rigidly driven contact, which has no mass.
 BOOST_AUTO_TEST_CASE(no_mass_where_there_is_none) {
-  const std::string html = std::regex_replace(page_of(contents()), std::regex("</?t?body>"), "");
+  const std::string html = vcrit::test::without_matches(page_of(contents()), "</?t?body>");
   for (const char* id : {"figure4", "difference", "amplitudes", "slow", "flat-punch"}) {
     const std::string section = section_of(html, id);
     BOOST_TEST(!has(section, "mass"), id);
@@ -128,7 +129,7 @@ BOOST_AUTO_TEST_CASE(a_fault_is_red_and_open) {
   BOOST_TEST(!has(section_of(html, "slow"), "<details class=\"agreement\" open>"));
   BOOST_TEST(has(section_of(html, "claims"), "not shown"));
   BOOST_TEST(!passed(faulty.paper));
-  BOOST_TEST(nlohmann::json::parse(paper_json(faulty))["passed"] == false);
+  BOOST_TEST(vcrit::record::read_json(paper_json(faulty))["passed"] == false);
 }
 
 BOOST_AUTO_TEST_CASE(a_fault_is_the_verdict_and_the_files_are_written_all_the_same) {
@@ -142,7 +143,7 @@ BOOST_AUTO_TEST_CASE(a_fault_is_the_verdict_and_the_files_are_written_all_the_sa
   BOOST_TEST(!validation.passed);
   BOOST_REQUIRE(validation.failed.size() == 1u);
   BOOST_TEST(has(validation.failed.front(), faulty.paper.punch.comparisons.back().name));
-  BOOST_TEST(nlohmann::json::parse(std::ifstream(folder / "report.json"))["passed"] == false);
+  BOOST_TEST(vcrit::record::read_json(vcrit::read_file(folder / "report.json"))["passed"] == false);
   BOOST_TEST(std::filesystem::exists(validation.page));
   std::filesystem::remove_all(folder);
 }
@@ -158,14 +159,14 @@ BOOST_AUTO_TEST_CASE(an_equation_that_is_not_equal_is_told_so) {
 BOOST_AUTO_TEST_CASE(nothing_is_loaded_from_outside) {
   // The name of MathML's namespace is no address.
   const std::string html =
-      std::regex_replace(page_of(contents()), std::regex("http://www.w3.org/1998/Math/MathML"), "");
+      vcrit::test::without_matches(page_of(contents()), "http://www.w3.org/1998/Math/MathML");
   for (const char* outward : {"http:", "https:", " src=", "<link"}) BOOST_TEST(!has(html, outward));
-  BOOST_TEST(!std::regex_search(html, std::regex("href=\"(?!#)")));
+  BOOST_TEST(!vcrit::test::has_match(html, "href=\"(?!#)"));
   BOOST_TEST(has(html, "default-src 'none'"));
 }
 
 BOOST_AUTO_TEST_CASE(the_json_has_all_data) {
-  const auto report = nlohmann::json::parse(paper_json(contents()));
+  const auto report = vcrit::record::read_json(paper_json(contents()));
   BOOST_TEST(report["passed"] == true);
   const auto& paper = report["paper"];
   std::size_t comparisons = 0;

@@ -5,18 +5,20 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "record/json_text.hpp"
 #include "report/html.hpp"
 #include "validation/example_report.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_report_json)
 
 using namespace vcrit::validation;
-using nlohmann::json;
+using nlohmann::ordered_json;
 
 namespace {
 
-json parsed(const SceneReport& report) {
-  return json::parse(report::report_json(example::origin(), {report::scene_json({report, {}})}));
+ordered_json parsed(const SceneReport& report) {
+  return vcrit::record::read_json(
+      report::report_json(example::origin(), {report::scene_json({report, {}})}));
 }
 
 }  // namespace
@@ -27,7 +29,7 @@ BOOST_AUTO_TEST_CASE(numbers_come_back_to_the_last_bit) {
   report.comparisons[0].found = std::numeric_limits<double>::denorm_min();
   report.curve[3].from_rest = std::nextafter(1.0, 0.0);
   report.cycle->points[7].force = -1e-300 / 3;
-  const json scene = parsed(report)["scenes"][0];
+  const ordered_json scene = parsed(report)["scenes"][0];
   BOOST_TEST(scene["critical_velocity"]["value"].get<double>() == 0.1 + 0.2);
   BOOST_TEST(scene["comparisons"][0]["found"].get<double>() ==
              std::numeric_limits<double>::denorm_min());
@@ -41,7 +43,7 @@ BOOST_AUTO_TEST_CASE(what_json_has_no_number_for_is_a_word) {
   report.critical_velocity = std::numeric_limits<double>::infinity();
   report.infinite_reason = "resonance";
   report.comparisons[0].found = std::numeric_limits<double>::quiet_NaN();
-  const json scene = parsed(report)["scenes"][0];
+  const ordered_json scene = parsed(report)["scenes"][0];
   BOOST_TEST(scene["critical_velocity"]["value"] == "inf");
   BOOST_TEST(scene["critical_velocity"]["reason"] == "resonance");
   BOOST_TEST(scene["comparisons"][0]["found"] == "nan");
@@ -53,17 +55,17 @@ BOOST_AUTO_TEST_CASE(failures_are_named) {
   BOOST_TEST(parsed(report)["passed"] == true);
   BOOST_TEST(parsed(report)["scenes"][0]["failed"].empty());
   report.comparisons[1].found *= 1.001;
-  const json object = parsed(report);
+  const ordered_json object = parsed(report);
   BOOST_TEST(object["passed"] == false);
   BOOST_TEST(object["scenes"][0]["passed"] == false);
-  BOOST_TEST(object["scenes"][0]["failed"] == json::array({"simulation"}));
+  BOOST_TEST(object["scenes"][0]["failed"] == ordered_json::array({"simulation"}));
 }
 
 BOOST_AUTO_TEST_CASE(a_comparison_that_was_not_run_has_no_numbers) {
   SceneReport report = example::scene_report(example::rigid_scene);
   report.comparisons[0].not_run = true;
   report.comparisons[0].detail = "no C++ compiler found";
-  const json comparison = parsed(report)["scenes"][0]["comparisons"][0];
+  const ordered_json comparison = parsed(report)["scenes"][0]["comparisons"][0];
   BOOST_TEST(comparison["outcome"] == "not run");
   BOOST_TEST(comparison["detail"] == "no C++ compiler found");
   BOOST_TEST(!comparison.contains("found"));
@@ -80,7 +82,7 @@ BOOST_AUTO_TEST_CASE(absent_parts_have_no_keys) {
   SceneReport report = example::scene_report(example::rigid_scene);
   report.curve.clear();
   report.cycle.reset();
-  const json scene = parsed(report)["scenes"][0];
+  const ordered_json scene = parsed(report)["scenes"][0];
   BOOST_TEST(!scene.contains("friction_curve"));
   BOOST_TEST(!scene.contains("cycle"));
   BOOST_TEST(!scene.contains("compiler"));
@@ -91,11 +93,11 @@ BOOST_AUTO_TEST_CASE(the_reduced_model_has_its_table) {
   SceneReport report = example::scene_report(example::rigid_scene);
   BOOST_TEST(!parsed(report)["scenes"][0].contains("reduced_model"));
   report.reduced_model = example::reduced_model();
-  const json model = parsed(report)["scenes"][0]["reduced_model"];
+  const ordered_json model = parsed(report)["scenes"][0]["reduced_model"];
   BOOST_TEST(model["delta"].get<double>() == 1.5);
   BOOST_TEST(model["usable_from"].get<double>() == 0.62);
   BOOST_TEST(model["table"].size() == 4u);
-  const json last = model["table"][3];
+  const ordered_json last = model["table"][3];
   BOOST_TEST(last["delta"].get<double>() == 1.5);
   BOOST_TEST(last["velocity_ratio"].get<double>() == 0.9);
   BOOST_TEST(last["reduced"].get<double>() == 0.5);

@@ -8,6 +8,7 @@
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "derivation/derivation.hpp"
+#include "record/json_text.hpp"
 #include "run/compiler.hpp"
 #include "support/scene_text.hpp"
 #include "validation/example_report.hpp"
@@ -16,7 +17,7 @@ BOOST_AUTO_TEST_SUITE(test_validate)
 
 using namespace vcrit;
 using namespace vcrit::validation;
-using nlohmann::json;
+using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 namespace {
@@ -27,8 +28,8 @@ report::Validation run(const std::vector<std::string>& files, const fs::path& di
   return report::validate({files, directory, {}}, [](const Standing&) {});
 }
 
-json comparison(const json& scene, const std::string& key) {
-  for (const json& one : scene["comparisons"])
+ordered_json comparison(const ordered_json& scene, const std::string& key) {
+  for (const ordered_json& one : scene["comparisons"])
     if (one["key"] == key) return one;
   BOOST_FAIL("no comparison " + key);
   return {};
@@ -43,8 +44,8 @@ BOOST_AUTO_TEST_CASE(a_rigid_scene_passes_everything) {
   BOOST_TEST(validation.failed.empty());
   BOOST_TEST(validation.not_run.empty());
   BOOST_TEST(validation.page == folder.path() / "new" / "out" / "index.html");
-  const json scene =
-      json::parse(read_file(folder.path() / "new" / "out" / "report.json"))["scenes"][0];
+  const ordered_json scene =
+      record::read_json(read_file(folder.path() / "new" / "out" / "report.json"))["scenes"][0];
   for (const char* key : {"formula", "derived", "generated", "generated_batch", "generated_fast",
                           "generated_certified", "balance", "simulation", "evaluators", "marched",
                           "starts", "closed_form"})
@@ -69,8 +70,8 @@ BOOST_AUTO_TEST_CASE(a_scene_is_derived_at_most_twice) {
 BOOST_AUTO_TEST_CASE(the_reduced_model_is_held_against_the_papers_own_case) {
   const PrivateFolder folder;
   BOOST_TEST(run({scenes + "/kelvin_rigid.toml", scenes + "/elastic.toml"}, folder.path()).passed);
-  const json all = json::parse(read_file(folder.path() / "report.json"))["scenes"];
-  const json model = all[0]["reduced_model"];
+  const ordered_json all = record::read_json(read_file(folder.path() / "report.json"))["scenes"];
+  const ordered_json model = all[0]["reduced_model"];
   BOOST_TEST(std::abs(model["delta"].get<double>() - 2) < 1e-4);
   const double a = model["normal_force_amplitude_ratio"].get<double>();
   BOOST_TEST(std::abs(a - 0.36 * std::sqrt(5.0)) < 1e-4);
@@ -104,9 +105,10 @@ BOOST_AUTO_TEST_CASE(a_scene_that_fails_is_red_and_the_others_are_finished) {
   const report::Validation validation = run({beyond, table_end}, folder.path() / "out");
   BOOST_TEST(!validation.passed);
   BOOST_TEST(validation.failed.size() == 1u);
-  const json all = json::parse(read_file(folder.path() / "out" / "report.json"))["scenes"];
+  const ordered_json all =
+      record::read_json(read_file(folder.path() / "out" / "report.json"))["scenes"];
   BOOST_TEST(all[0]["passed"] == false);
-  BOOST_TEST(all[0]["failed"] == json({"scene"}));
+  BOOST_TEST(all[0]["failed"] == ordered_json({"scene"}));
   BOOST_TEST(comparison(all[0], "scene")["detail"].get<std::string>().find(
                  "is outside the receptance in") != std::string::npos);
   BOOST_TEST(all[1]["passed"] == true);
@@ -121,7 +123,8 @@ BOOST_AUTO_TEST_CASE(a_scene_outside_the_model_is_not_simulated) {
   const PrivateFolder folder;
   const auto validation = run({scenes + "/inadmissible.toml"}, folder.path());
   BOOST_TEST(validation.passed);
-  const json scene = json::parse(read_file(folder.path() / "report.json"))["scenes"][0];
+  const ordered_json scene =
+      record::read_json(read_file(folder.path() / "report.json"))["scenes"][0];
   BOOST_TEST(scene["admissible"] == false);
   BOOST_TEST(!scene["reasons"].empty());
   BOOST_TEST(!scene.contains("friction_curve"));
@@ -143,8 +146,9 @@ BOOST_AUTO_TEST_CASE(a_free_swing_is_told) {
                             .elements = {{"kn", 1000000}, {"kt", 700000}, {"kd", 4718592}}}));
   const auto validation = run({scene.string()}, folder.path() / "out");
   BOOST_TEST(!validation.passed);
-  const json one = json::parse(read_file(folder.path() / "out/report.json"))["scenes"][0];
-  const json balance = comparison(one, "balance");
+  const ordered_json one =
+      record::read_json(read_file(folder.path() / "out/report.json"))["scenes"][0];
+  const ordered_json balance = comparison(one, "balance");
   BOOST_TEST(balance["outcome"] == "failed");
   // 0.0327743571428571 m/s by Eq. 24, by hand, times cos(pi/6).
   BOOST_TEST(std::abs(balance["found"].get<double>() / 0.0283834258784183 - 1) < 1e-14);
@@ -164,10 +168,11 @@ BOOST_AUTO_TEST_CASE(a_formula_that_is_not_v_is_not_drawn_as_v) {
                                    .coefficient = 0.3,
                                    .elements = {{"k0", 200000}, {"k1", 2000000}, {"c1", 40}}}));
   BOOST_TEST(run({scene.string()}, folder.path() / "out").passed);
-  const json one = json::parse(read_file(folder.path() / "out/report.json"))["scenes"][0];
+  const ordered_json one =
+      record::read_json(read_file(folder.path() / "out/report.json"))["scenes"][0];
   double own = 1e9;
   bool applies = true;
-  for (const json& point : one["frequency_response"]["points"]) {
+  for (const ordered_json& point : one["frequency_response"]["points"]) {
     const double apart = std::abs(std::log(point["angular_frequency"].get<double>() / 1e5));
     if (apart >= own) continue;
     own = apart;
@@ -179,7 +184,8 @@ BOOST_AUTO_TEST_CASE(a_formula_that_is_not_v_is_not_drawn_as_v) {
 BOOST_AUTO_TEST_CASE(creep_is_compared_where_the_path_creeps) {
   const PrivateFolder folder;
   BOOST_TEST(run({scenes + "/burgers.toml"}, folder.path()).passed);
-  const json scene = json::parse(read_file(folder.path() / "report.json"))["scenes"][0];
+  const ordered_json scene =
+      record::read_json(read_file(folder.path() / "report.json"))["scenes"][0];
   BOOST_TEST(comparison(scene, "creep")["outcome"] == "passed");
 }
 
@@ -215,8 +221,8 @@ BOOST_AUTO_TEST_CASE(a_drive_with_masses_is_simulated_and_a_measured_one_as_well
       run({scenes + "/sonotrode.toml", scenes + "/measured_drive.toml"}, folder.path());
   BOOST_TEST(validation.passed);
   BOOST_TEST(validation.not_run.empty());
-  const json report = json::parse(read_file(folder.path() / "report.json"));
-  for (const json& scene : report["scenes"]) {
+  const ordered_json report = record::read_json(read_file(folder.path() / "report.json"));
+  for (const ordered_json& scene : report["scenes"]) {
     BOOST_TEST(comparison(scene, "formula")["outcome"] == "passed");
     BOOST_TEST(comparison(scene, "derived")["outcome"] == "passed");
     for (const char* evaluator :
@@ -236,9 +242,9 @@ BOOST_AUTO_TEST_CASE(nothing_is_left_out_of_indenters_on_drives_of_what_opens_or
           folder.path());
   BOOST_TEST(validation.passed);
   BOOST_TEST(validation.not_run.empty());
-  const json report = json::parse(read_file(folder.path() / "report.json"));
-  const json &ball = report["scenes"][0], &opening = report["scenes"][1],
-             &pin = report["scenes"][2];
+  const ordered_json report = record::read_json(read_file(folder.path() / "report.json"));
+  const ordered_json &ball = report["scenes"][0], &opening = report["scenes"][1],
+                     &pin = report["scenes"][2];
   BOOST_TEST(comparison(ball, "harmonics")["tolerance"] < 1e-11);
   BOOST_TEST(comparison(opening, "generated_certified")["detail"] ==
              "the evaluator of the contact that stays closed");
