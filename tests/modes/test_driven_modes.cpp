@@ -2,14 +2,14 @@
 // exponential in long double.
 #include "modes/driven_modes.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <random>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include "base/errors.hpp"
 #include "modes/body_modes.hpp"
+#include "support/exponential.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_driven_modes)
 
@@ -17,7 +17,7 @@ namespace {
 
 using namespace vcrit;
 using namespace vcrit::simulation;
-using Real = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+using Real = test::WideMatrix;
 
 constexpr double u = 1.1e-16;
 
@@ -47,7 +47,7 @@ void check(const Case& c, double roundings) {
   BOOST_REQUIRE(modes.to_modes.rows() == modes.spectrum.size());
   for (Index start = 0; start < n; ++start)
     for (const double t : {0.0, 0.1, 1.0, 7.0}) {
-      const Real exact = Real(whole(c) * static_cast<long double>(t)).exp();
+      const Real exact = test::exponential(whole(c) * static_cast<long double>(t));
       Vector after(n);
       ModalFactors(modes.spectrum, t)
           .apply(modes.to_modes.column(start), [&](Index mode, const Integrals<double>& passed) {

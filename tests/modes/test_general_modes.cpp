@@ -1,10 +1,8 @@
-// Modes of any number of pairs: to the modes, along them and back is what e^{At} does, by Eigen's
+// Modes of any number of pairs: to the modes, along them and back is what e^{At} does, by
 // scaling and squaring of the whole matrix, which knows no modes.
 #include "modes/general_modes.hpp"
 
-#include <Eigen/Dense>
-#include <unsupported/Eigen/MatrixFunctions>
-
+#include <Eigen/Core>
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -12,13 +10,15 @@
 #include <utility>
 #include <vector>
 
+#include "support/exponential.hpp"
+
 BOOST_AUTO_TEST_SUITE(test_general_modes)
 
 namespace {
 
 using namespace vcrit;
 using namespace vcrit::simulation;
-using Wide = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+using Wide = test::WideMatrix;
 
 Dense<long double> dense(const Wide& a) {
   Dense<long double> result(static_cast<std::size_t>(a.rows()), static_cast<std::size_t>(a.cols()));
@@ -31,7 +31,7 @@ Dense<long double> dense(const Wide& a) {
 // The largest difference of an entry of from_modes e^{modes t} to_modes from one of e^{At}.
 double worst_difference(const Wide& a, const GeneralModes& found, double t) {
   const Modes& modes = found.modes;
-  const Wide exact = (a * t).exp();
+  const Wide exact = test::exponential(a * t);
   const ModalFactors factors(modes.spectrum, t);
   double worst = 0;
   const auto n = static_cast<std::size_t>(a.rows());

@@ -2,13 +2,14 @@
 // at 250 digits: 1/(K_d - m omega^2) of the drive with the body.
 #include "stiffness/drive_structure.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <complex>
 #include <random>
 
 #include "base/errors.hpp"
+#include "linear/elimination.hpp"
 #include "network/expression.hpp"
 #include "problem/problem.hpp"
 #include "stiffness/drive_motion.hpp"
@@ -59,15 +60,15 @@ Complex receptance(const DriveStructure& structure, double omega) {
 
 // e_1.(s - A)^-1 e_1/(m s)
 Complex receptance(const DriveMotion& motion, double omega) {
-  using Wide = Eigen::Matrix<std::complex<long double>, Eigen::Dynamic, Eigen::Dynamic>;
+  using Wide = std::complex<long double>;
   const auto n = static_cast<Eigen::Index>(motion.rest.size());
-  Wide a(n, n);
+  linear::DenseMatrix<Wide> a(n, n);
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = 0; j < n; ++j)
-      a(i, j) = (i == j ? std::complex<long double>(0, omega) : 0) -
+      a(i, j) = (i == j ? Wide(0, omega) : 0) -
                 motion.rates(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
-  const Wide first = Wide::Identity(n, 1);
-  return narrow(a.fullPivLu().solve(first)(0)) / Complex(0, motion.mass * omega);
+  const linear::DenseVector<Wide> first = linear::DenseVector<Wide>::Unit(n, 0);
+  return narrow(linear::solve_fully_pivoted(a, first)(0)) / Complex(0, motion.mass * omega);
 }
 
 // As a share; roundings of doubles in the network's numbers alone are 1e-15 near its resonances.

@@ -4,7 +4,7 @@
 // numbers. VCRIT_DRIVES in the environment takes the place of the number of drives.
 #include <gsl/gsl_odeiv2.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "linear/elimination.hpp"
 #include "simulation/steady/energy.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
@@ -144,7 +145,7 @@ class Motions {
       if (b >= 0) inner_(b, b) += one.c;
       if (a >= 0 && b >= 0) inner_(a, b) -= one.c, inner_(b, a) -= one.c;
     }
-    inverse_ = inner_.inverse();
+    inverse_ = linear::Lu<double>(inner_).inverse();
   }
 
   int size() const { return 2 * n_ + m_ + branches_ + 3; }
