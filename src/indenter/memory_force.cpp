@@ -1,6 +1,7 @@
 #include "indenter/memory_force.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
@@ -14,7 +15,9 @@ namespace {
 
 using simulation::NormalCycle;
 
-using FrontRule = boost::math::quadrature::gauss<double, 20>;
+constexpr unsigned asked_of_span = 20;
+
+using FrontRule = boost::math::quadrature::gauss<double, asked_of_span>;
 
 // Cells that dip by less than this share of the amplitude touch as if the surface had no memory:
 // they do for a thousandth of the period, and weigh 1e-9 of all under a parabola.
@@ -119,7 +122,11 @@ void MemoryForce::find_touches(const std::vector<Panel>& panels, double toleranc
         },
         2 + branches, tolerance);
     require_nested(touch);
-    openings_.push_back({panel, std::move(touch)});
+    openings_.push_back({panel, std::move(touch), {}});
+    Opening& part = openings_.back();
+    const std::vector<double>& ends = part.touch.ends();
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+      part.whole.push_back(spans(part, ends[i], ends[i + 1]));
   }
 }
 
@@ -146,9 +153,20 @@ double MemoryForce::front(const Opening& part, double t, bool& grows) const {
       grows = false;
       return 0;
     }
-    for (int i = 0; i < bisections && high - low > epsilon * high; ++i) {
-      const double middle = 0.5 * (low + high);
-      (touched(middle) ? low : high) = middle;
+    // Of three halvings all places that may be asked.
+    for (int i = 0; i < bisections && high - low > epsilon * high; i += 3) {
+      const double middle = 0.5 * (low + high), below = 0.5 * (low + middle),
+                   above = 0.5 * (middle + high);
+      const std::array<double, 7> places{
+          0.5 * (low + below),    below, 0.5 * (below + middle), middle,
+          0.5 * (middle + above), above, 0.5 * (above + high)};
+      const std::array<double, 7> phases = part.touch.at_places(places, which);
+      for (std::size_t at = 3, step = 2;; step /= 2) {
+        const bool touches = side * (t - phases[at]) >= 0;
+        (touches ? low : high) = places[at];
+        if (step == 0 || !(high - low > epsilon * high)) break;
+        at = touches ? at + step : at - step;
+      }
     }
     best = low;
     grows = which == 0;
@@ -156,21 +174,50 @@ double MemoryForce::front(const Opening& part, double t, bool& grows) const {
   return best;
 }
 
-void MemoryForce::add_span(const Opening& part, double t, double low, double high, Sum& sum) const {
-  const simulation::ContactModes& modes = cells_.modes();
+// Halved towards the front, where what touched just now has not relaxed yet.
+std::vector<MemoryForce::Span> MemoryForce::spans(const Opening& part, double low,
+                                                  double high) const {
+  double fastest = 0;
+  for (const double rate : cells_.modes().branch_rates) fastest = std::max(fastest, rate);
+  std::vector<Span> result;
+  for (int j = 0; j < most_spans; ++j) {
+    if (fastest * std::abs(part.touch.at(high, 0) - part.touch.at(low, 0)) < most_decades) break;
+    const double middle = 0.5 * (low + high);
+    result.push_back({low, middle, {}});
+    low = middle;
+  }
+  result.push_back({low, high, {}});
+  const auto numbers = 2 + static_cast<Eigen::Index>(cells_.modes().branch_rates.size());
   Eigen::VectorXd touch;
-  const auto at = [&](double s) -> std::complex<double> {
-    part.touch.at(s, touch);
+  for (Span& span : result) {
+    span.touches.resize(1 + numbers, asked_of_span);
+    Eigen::Index column = 0;
+    FrontRule::integrate(
+        [&](double s) {
+          part.touch.at(s, touch);
+          span.touches.col(column++) << part.panel.rate(s), touch;
+          return 0.0;
+        },
+        span.low, span.high);
+  }
+  return result;
+}
+
+void MemoryForce::add_span(const Span& span, double t, Sum& sum) const {
+  const simulation::ContactModes& modes = cells_.modes();
+  Eigen::Index column = 0;
+  const auto next = [&](double) -> std::complex<double> {
+    const auto touch = span.touches.col(column++);
     double force = 0, rate = 0;
     for (simulation::Index i = 0; i < modes.branch_rates.size(); ++i) {
       const double r = modes.branch_rates[i],
-                   each = touch(2 + static_cast<Eigen::Index>(i)) * std::exp(-r * (t - touch(0)));
+                   each = touch(3 + static_cast<Eigen::Index>(i)) * std::exp(-r * (t - touch(1)));
       force += each;
       rate -= r * each;
     }
-    return part.panel.rate(s) * std::complex<double>(force, rate);
+    return touch(0) * std::complex<double>(force, rate);
   };
-  const std::complex<double> found = FrontRule::integrate(at, low, high);
+  const std::complex<double> found = FrontRule::integrate(next, span.low, span.high);
   sum.force += 2 * found.real();
   sum.rate += 2 * found.imag();
 }
@@ -183,20 +230,12 @@ void MemoryForce::add(const Opening& part, double t, Sum& sum) const {
   const double width = part.panel.at(to) - part.panel.low;
   sum.force += 2 * width * swing.real();
   sum.rate -= 2 * width * swing.imag();
-  double fastest = 0;
-  for (const double rate : cells_.modes().branch_rates) fastest = std::max(fastest, rate);
   const std::vector<double>& ends = part.touch.ends();
   for (std::size_t i = 0; i + 1 < ends.size() && ends[i] < to; ++i) {
-    const double high = std::min(ends[i + 1], to);
-    double low = ends[i];
-    // What touched just now has not relaxed yet.
-    for (int j = 0; j < most_spans; ++j) {
-      if (fastest * std::abs(part.touch.at(high, 0) - part.touch.at(low, 0)) < most_decades) break;
-      const double middle = 0.5 * (low + high);
-      add_span(part, t, low, middle, sum);
-      low = middle;
-    }
-    add_span(part, t, low, high, sum);
+    if (ends[i + 1] <= to)
+      for (const Span& span : part.whole[i]) add_span(span, t, sum);
+    else
+      for (const Span& span : spans(part, ends[i], to)) add_span(span, t, sum);
   }
   if (!grows || !(cells_.modes().damper > 0) || to >= 1) return;
   // A direct damper carries a force at once, of each cell that touches.
@@ -262,8 +301,8 @@ MemoryForce::Sum MemoryForce::at(double given) const {
   const double share = std::clamp((t - after->begin) / (after->end - after->begin), 0.0, 1.0);
   // The root of s^2 (3 - 2 s) = share.
   const double s = 0.5 - std::sin(std::asin(1 - 2 * share) / 3);
-  const auto [force, rate] = after->values.several_at<2>(s, 0);
-  return {force, rate};
+  const Eigen::Array2d found = after->values.several_at<2>(s, 0);
+  return {found(0), found(1)};
 }
 
 }  // namespace vcrit::indenter

@@ -7,6 +7,7 @@
 // integral up to the front.
 #pragma once
 
+#include <Eigen/Core>
 #include <complex>
 #include <vector>
 
@@ -81,9 +82,15 @@ class MemoryForce {
   bool rate_unbounded() const { return rate_unbounded_; }
 
  private:
+  /// Cells of a panel over which the force is summed at once.
+  struct Span {
+    double low = 0, high = 0;  ///< of s
+    Eigen::MatrixXd touches;   ///< a column a place that is asked, in their order: rate, touch
+  };
   struct Opening {
     Panel panel;
-    Pieces touch;  ///< by s: begin, end, decays
+    Pieces touch;                          ///< by s: begin, end, decays
+    std::vector<std::vector<Span>> whole;  ///< of each piece of it, when all of it touches
   };
   struct Phases {
     double begin = 0, end = 0;
@@ -95,7 +102,8 @@ class MemoryForce {
   void require_nested(const Pieces& touch) const;
   double front(const Opening& part, double t, bool& grows) const;
   void add(const Opening& part, double t, Sum& sum) const;
-  void add_span(const Opening& part, double t, double low, double high, Sum& sum) const;
+  std::vector<Span> spans(const Opening& part, double low, double high) const;
+  void add_span(const Span& span, double t, Sum& sum) const;
   Sum summed(double t) const;
   double wrapped(double t) const;
 

@@ -53,7 +53,7 @@ Pieces::Pieces(const Functions& functions, Eigen::Index count, double tolerance)
       samples.row(i) = values;
     }
     size = size.cwiseMax(samples.cwiseAbs().colwise().maxCoeff().transpose());
-    Eigen::MatrixXd found = to_coefficients * samples;
+    const Eigen::MatrixXd found = to_coefficients * samples;
     const Eigen::VectorXd rest = found.bottomRows(told_by).cwiseAbs().colwise().maxCoeff();
     if (span.halved < most_halvings && (rest.array() > tolerance * size.array()).any()) {
       const double middle = 0.5 * (span.low + span.high);
@@ -62,7 +62,7 @@ Pieces::Pieces(const Functions& functions, Eigen::Index count, double tolerance)
       continue;
     }
     ends_.push_back(span.low);
-    coefficients_.push_back(std::move(found));
+    coefficients_.push_back(found.transpose());
   }
   ends_.push_back(1);
 }
@@ -73,25 +73,25 @@ std::size_t Pieces::piece_of(double s) const {
 }
 
 void Pieces::at(double s, Eigen::VectorXd& values) const {
-  const Eigen::Index count = coefficients_.front().cols();
+  const Eigen::Index count = coefficients_.front().rows();
   values.resize(count);
   Eigen::Index i = 0;
-  const auto put = [&](const auto& found) {
-    for (const double each : found) values(i++) = each;
-  };
-  while (count - i >= 4) put(several_at<4>(s, i));
-  if (count - i >= 2) put(several_at<2>(s, i));
-  if (count > i) put(several_at<1>(s, i));
+  for (; count - i >= 4; i += 4) values.segment<4>(i) = several_at<4>(s, i);
+  if (count - i >= 2) {
+    values.segment<2>(i) = several_at<2>(s, i);
+    i += 2;
+  }
+  if (count > i) values(i) = at(s, i);
 }
 
 // T_k' = k U_(k-1).
 double Pieces::slope(double s, Eigen::Index i) const {
   const std::size_t piece = piece_of(s);
   const Eigen::MatrixXd& c = coefficients_[piece];
-  const double length = ends_[piece + 1] - ends_[piece], x = 2 * (s - ends_[piece]) / length - 1;
+  const double length = ends_[piece + 1] - ends_[piece], x = inside(s, piece);
   double before = 0, second_kind = 1, sum = 0;
-  for (Eigen::Index k = 1; k < c.rows(); ++k) {
-    sum += static_cast<double>(k) * c(k, i) * second_kind;
+  for (Eigen::Index k = 1; k < c.cols(); ++k) {
+    sum += static_cast<double>(k) * c(i, k) * second_kind;
     const double next = 2 * x * second_kind - before;
     before = second_kind;
     second_kind = next;

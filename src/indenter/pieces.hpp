@@ -23,8 +23,11 @@ class Pieces {
   void at(double s, Eigen::VectorXd& values) const;
   double at(double s, Eigen::Index i) const { return several_at<1>(s, i)[0]; }
   /// Those from `first` on. Side by side they take little longer than one, which waits for itself.
+  template <int count>
+  Eigen::Array<double, count, 1> several_at(double s, Eigen::Index first) const;
+  /// One at several places, which for the same reason take little longer than one place.
   template <std::size_t count>
-  std::array<double, count> several_at(double s, Eigen::Index first) const;
+  std::array<double, count> at_places(const std::array<double, count>& s, Eigen::Index i) const;
   double slope(double s, Eigen::Index i) const;
 
   /// Where pieces begin, and 1.
@@ -32,28 +35,49 @@ class Pieces {
 
  private:
   std::size_t piece_of(double s) const;
+  /// Twice the place within a piece, from -1 to 1.
+  double inside(double s, std::size_t piece) const {
+    return 2 * (s - ends_[piece]) / (ends_[piece + 1] - ends_[piece]) - 1;
+  }
 
   std::vector<double> ends_;
-  std::vector<Eigen::MatrixXd> coefficients_;  ///< a column a function
+  std::vector<Eigen::MatrixXd> coefficients_;  ///< a row a function
 };
 
 // Clenshaw's recurrence.
-template <std::size_t count>
-std::array<double, count> Pieces::several_at(double s, Eigen::Index first) const {
+template <int count>
+Eigen::Array<double, count, 1> Pieces::several_at(double s, Eigen::Index first) const {
+  using Several = Eigen::Array<double, count, 1>;
   const std::size_t piece = piece_of(s);
-  const Eigen::MatrixXd& all = coefficients_[piece];
-  const Eigen::Index rows = all.rows();
-  const double* c = all.data() + first * rows;
-  const double x = 2 * (s - ends_[piece]) / (ends_[piece + 1] - ends_[piece]) - 1;
-  std::array<double, count> one{}, two{};
-  for (Eigen::Index k = rows - 1; k > 0; --k)
+  const double x = inside(s, piece);
+  const auto c = coefficients_[piece].middleRows<count>(first).array();
+  Several one = Several::Zero(), two = Several::Zero();
+  for (Eigen::Index k = c.cols() - 1; k > 0; --k) {
+    const Several next = 2 * x * one - two + c.col(k);
+    two = one;
+    one = next;
+  }
+  return x * one - two + c.col(0);
+}
+
+template <std::size_t count>
+std::array<double, count> Pieces::at_places(const std::array<double, count>& s,
+                                            Eigen::Index i) const {
+  std::array<const double*, count> c{};
+  std::array<double, count> x{}, one{}, two{};
+  const Eigen::Index functions = coefficients_.front().rows();
+  for (std::size_t j = 0; j < count; ++j) {
+    const std::size_t piece = piece_of(s[j]);
+    x[j] = inside(s[j], piece);
+    c[j] = coefficients_[piece].data() + i;
+  }
+  for (Eigen::Index k = coefficients_.front().cols() - 1; k > 0; --k)
     for (std::size_t j = 0; j < count; ++j) {
-      const double next = 2 * x * one[j] - two[j] + c[static_cast<Eigen::Index>(j) * rows + k];
+      const double next = 2 * x[j] * one[j] - two[j] + c[j][k * functions];
       two[j] = one[j];
       one[j] = next;
     }
-  for (std::size_t j = 0; j < count; ++j)
-    one[j] = x * one[j] - two[j] + c[static_cast<Eigen::Index>(j) * rows];
+  for (std::size_t j = 0; j < count; ++j) one[j] = x[j] * one[j] - two[j] + c[j][0];
   return one;
 }
 

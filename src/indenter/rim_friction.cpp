@@ -237,13 +237,34 @@ Friction without_oscillation(const HalfSpace& half_space) {
   return result;
 }
 
+/// Of a normal force that oscillates.
+simulation::Onset threshold_of(const HalfSpace& half_space, const Held& held) {
+  const bool elastic = half_space.elastic();
+  const double unit = held.contact().speed_unit(), step = elastic ? finest : finest_below;
+  if (held.springs_without_bound()) return {infinity, infinity, without_bound};
+  if (held.resonant()) return {infinity, infinity, rings};
+  const std::optional<Held> other =
+      elastic ? std::nullopt : std::optional<Held>(std::in_place, half_space, coarse_force);
+  const auto rough = (other ? *other : held).sliding(coarse), sliding = held.sliding(step);
+  const double drive = sliding->largest();
+  const bool creeps = !(half_space.holder()->drive.equilibrium > 0);
+  const double contact = creeps ? drive + sliding->mean_speed() : drive;
+  // Where steps are as long as they may be, a hundred thousand times the tolerance changes none;
+  // each is good to its own, and they add up.
+  const double summed = step * sliding->steps();
+  return {contact * unit,
+          drive * unit,
+          {},
+          (std::abs(rough->largest() - drive) + force_rounding_error + summed) * unit};
+}
+
 /// By cells in time: so many and so many steps of a period, and then twice and four times both.
 FrictionOfSpeed cells_friction(const HalfSpace& half_space, double tolerance) {
   // What is drawn takes a quarter of the time and errs four times as much.
   const int cells = tolerance < drawn_tolerance ? 100 : 50, steps = 6 * cells;
   const auto held = std::make_shared<const Held>(half_space, fine_force);
   if (held->resonant()) throw ModelError(rings);
-  const simulation::Onset onset = rim_threshold(half_space);
+  const simulation::Onset onset = threshold_of(half_space, *held);
   const double largest = onset.drive_velocity / held->contact().speed_unit();
   // At which all slide, or nearly where none is high enough.
   const double slides = std::isfinite(largest) ? 1.01 * largest : 10;
@@ -311,24 +332,7 @@ FrictionOfSpeed rim_friction(const HalfSpace& half_space, double tolerance) {
 
 simulation::Onset rim_threshold(const HalfSpace& half_space) {
   if (!(half_space.amplitude() > 0)) return {};
-  const bool elastic = half_space.elastic();
-  const Held held(half_space, fine_force);
-  const double unit = held.contact().speed_unit(), step = elastic ? finest : finest_below;
-  if (held.springs_without_bound()) return {infinity, infinity, without_bound};
-  if (held.resonant()) return {infinity, infinity, rings};
-  const std::optional<Held> other =
-      elastic ? std::nullopt : std::optional<Held>(std::in_place, half_space, coarse_force);
-  const auto rough = (other ? *other : held).sliding(coarse), sliding = held.sliding(step);
-  const double drive = sliding->largest();
-  const bool creeps = !(half_space.holder()->drive.equilibrium > 0);
-  const double contact = creeps ? drive + sliding->mean_speed() : drive;
-  // Where steps are as long as they may be, a hundred thousand times the tolerance changes none;
-  // each is good to its own, and they add up.
-  const double summed = step * sliding->steps();
-  return {contact * unit,
-          drive * unit,
-          {},
-          (std::abs(rough->largest() - drive) + force_rounding_error + summed) * unit};
+  return threshold_of(half_space, Held(half_space, fine_force));
 }
 
 }  // namespace vcrit::indenter
