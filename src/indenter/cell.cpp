@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "simulation/steady/answers.hpp"
-#include "simulation/steady/normal_force.hpp"
 
 namespace vcrit::indenter {
 
@@ -63,8 +62,8 @@ Motions motions_of(Regime regime) {
 
 namespace {
 
-// A contact that sticks carries less than friction allows: a stick that friction falls short of by no
-// more than its error is one of rounding, as cells have it that hardly touch.
+// A contact that sticks carries less than friction allows: a stick that friction falls short of by
+// no more than its error is one of rounding, as cells have it that hardly touch.
 Motions motions_beyond_error(const simulation::SteadyState& state) {
   Motions motions = motions_of(state.regime);
   motions.stick = motions.stick && 1 - state.friction_ratio > state.friction_ratio_error;
@@ -76,11 +75,10 @@ Motions motions_beyond_error(const simulation::SteadyState& state) {
 CellFriction cell_friction(const HalfSpace& half_space, double x, double velocity) {
   const double depth = half_space.depth(x);
   if (empty(half_space, depth)) return {};
-  const simulation::System system = half_space.cell_under(depth);
-  simulation::Answers answers(system);
+  simulation::Answers answers(half_space.cell_under(depth));
   const simulation::SteadyState& state = answers.alone(velocity, Start::sliding, 0);
-  CellFriction result{simulation::mean_normal_force(system), state.friction_ratio,
-                      state.friction_ratio_error, 0, motions_beyond_error(state)};
+  CellFriction result{answers.normal_force(), state.friction_ratio, state.friction_ratio_error, 0,
+                      motions_beyond_error(state)};
   answers.alone(velocity, Start::rest, 0);  // in the memory of the other
   result.disagreement = std::abs(state.friction_ratio - result.ratio);
   result.error =

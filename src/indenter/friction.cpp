@@ -29,15 +29,14 @@ constexpr double least_answered = 0.75;
 
 // Under a flat punch on a drive that gives.
 Friction of_whole(const HalfSpace& half_space, double velocity) {
-  const simulation::System system = half_space.whole();
-  simulation::Answers answers(system);
+  simulation::Answers answers(half_space.whole());
   const simulation::SteadyState& state = answers.alone(velocity, simulation::Start::sliding, 0);
   Friction result;
   result.ratio = state.friction_ratio;
   result.regime = state.regime;
   result.cells = 1;
   result.error = state.friction_ratio_error;
-  result.normal_force = simulation::mean_normal_force(system);
+  result.normal_force = answers.normal_force();
   result.normal_force_error = 16 * epsilon * result.normal_force;
   const simulation::SteadyState& other = answers.alone(velocity, simulation::Start::rest, 0);
   result.disagreement = std::abs(other.friction_ratio - result.ratio);

@@ -211,7 +211,8 @@ const Modes& Model::heard(const GeneralModes& found) {
 void Model::set_bound(const System& system) {
   if (system.opening) {
     opening.emplace(*system.opening, system.omega, system.effort);
-    force_unit = system.friction * opening->mean_force;
+    normal_force = opening->mean_force;
+    force_unit = system.friction * normal_force;
     amplitude = opening->amplitude;
     phase = opening->phase;
     if (!opening->closed) {
@@ -225,8 +226,9 @@ void Model::set_bound(const System& system) {
     return;
   }
   load = mean;
-  force_unit = system.friction * system.mean_normal_force;
-  amplitude = std::abs(system.normal_force_amplitude) / system.mean_normal_force;
+  normal_force = system.mean_normal_force;
+  force_unit = system.friction * normal_force;
+  amplitude = std::abs(system.normal_force_amplitude) / normal_force;
   phase = std::arg(system.normal_force_amplitude);
 }
 

@@ -65,6 +65,7 @@ struct Model {
   double amplitude = 0;      ///< of b(t); < 1 unless the contact opens
   double load = 0;           ///< from which F is measured
   double phase = 0;          ///< t = omega t_physical + phase
+  double normal_force = 0;   ///< mean, N
   double force_unit = 0;     ///< N
   double velocity_unit = 0;  ///< m/s
   ContactModes contact;

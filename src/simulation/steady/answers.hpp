@@ -26,6 +26,8 @@ class Answers {
   /// sliding. The other start is at rest.
   const SteadyState& next(double velocity);
 
+  /// Mean, N.
+  double normal_force() const { return model_.normal_force; }
   /// What all searches took together.
   int traced_periods() const { return traced_periods_; }
 
