@@ -69,7 +69,9 @@ std::optional<Network> changed_parts(const Graph& graph, const NewElement& eleme
       left.parts.push_back(std::move(*kept));
       left.wires.push_back(graph.wires[i]);
     }
-  auto loaded = load_carrying(left);
+  // Where no edge has gone, all others carry load as before.
+  if (left.wires.size() == graph.wires.size()) return Network{std::move(left)};
+  auto loaded = load_carrying(std::move(left));
   if (!loaded) return std::nullopt;
   return Network{std::move(loaded->graph)};
 }
@@ -81,31 +83,37 @@ std::optional<Network> changed_parts(const Element& element, const NewElement& e
 
 }  // namespace
 
-std::optional<LoadedGraph> load_carrying(const Graph& graph) {
+std::optional<LoadedGraph> load_carrying(Graph graph) {
   check_wires(graph);
   const std::vector<bool> carries = carries_load(graph);
-  LoadedGraph loaded{{{graph.nodes[0], graph.nodes[1]}, {}, {}}, {}};
-  std::vector<int> renamed(graph.nodes.size(), -1);
+  std::vector<std::string> names = std::move(graph.nodes);
+  LoadedGraph loaded{{{std::move(names[0]), std::move(names[1])}, {}, {}}, {}};
+  std::vector<int> renamed(names.size(), -1);
   renamed[0] = 0;
   renamed[1] = 1;
   const auto keep_node = [&](int node) {
     int& name = renamed[static_cast<std::size_t>(node)];
     if (name < 0) {
       name = static_cast<int>(loaded.graph.nodes.size());
-      loaded.graph.nodes.push_back(graph.nodes[static_cast<std::size_t>(node)]);
+      loaded.graph.nodes.push_back(std::move(names[static_cast<std::size_t>(node)]));
     }
     return name;
   };
+  std::size_t kept = 0;
   for (std::size_t i = 0; i < graph.wires.size(); ++i) {
     if (!carries[i]) {
       loaded.left_out.push_back(i);
       continue;
     }
-    loaded.graph.parts.push_back(graph.parts[i]);
+    if (kept < i) graph.parts[kept] = std::move(graph.parts[i]);
     const int from = keep_node(graph.wires[i].from);
-    loaded.graph.wires.push_back({from, keep_node(graph.wires[i].to)});
+    graph.wires[kept++] = {from, keep_node(graph.wires[i].to)};
   }
-  if (loaded.graph.wires.empty()) return std::nullopt;
+  if (kept == 0) return std::nullopt;
+  graph.parts.resize(kept);
+  graph.wires.resize(kept);
+  loaded.graph.parts = std::move(graph.parts);
+  loaded.graph.wires = std::move(graph.wires);
   return loaded;
 }
 

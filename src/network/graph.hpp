@@ -15,7 +15,7 @@ struct LoadedGraph {
 };
 
 /// Nothing if the terminals are not connected. Throws InputError for wires that lead to no nodes.
-std::optional<LoadedGraph> load_carrying(const Graph& graph);
+std::optional<LoadedGraph> load_carrying(Graph graph);
 
 /// What an element becomes; nothing: an open gap.
 using NewElement = std::function<std::optional<Element>(const Element&)>;

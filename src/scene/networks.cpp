@@ -290,7 +290,7 @@ Network Networks::read_graph(const std::string& name, const toml::table& table, 
                      "the body's end first; \"ground\" is inertial ground, where masses end");
   merge_ground(graph, *edges->as_array());
 
-  auto loaded = load_carrying(graph);
+  auto loaded = load_carrying({graph.nodes, std::move(graph.parts), graph.wires});
   if (!loaded)
     throw InputError(
         section.place("edges"),
