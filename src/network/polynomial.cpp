@@ -187,6 +187,7 @@ FactoredPolynomial polynomial_factors(const Polynomial& polynomial) {
 
 PolynomialQuotient cancelled(const PolynomialQuotient& quotient) {
   hear_interruption();
+  if (quotient.under.is_one()) return quotient;
   const fmpz_mpoly_ctx_struct* context = quotient.over.ring().context();
   Polynomial common(quotient.over.ring(), 0);
   PolynomialQuotient result{common, common};

@@ -11,6 +11,7 @@
 #include "formula/rational.hpp"
 #include "formula/symbols.hpp"
 #include "polynomial/network_polynomials.hpp"
+#include "polynomial/quotient_algebra.hpp"
 
 namespace vcrit::symbolic {
 
@@ -36,26 +37,8 @@ struct CountAlgebra {
   Value invert(const Value& a) const { return {a.under, a.over}; }
 };
 
-struct QuotientAlgebra {
-  using Value = PolynomialQuotient;
-  const Ring& ring;
-  std::map<std::string, PolynomialQuotient> known;  ///< what is not a variable of the ring
-
-  Value number(const GiNaC::numeric& value) const {
-    return {integer_polynomial(ring, value.numer()), integer_polynomial(ring, value.denom())};
-  }
-  Value name(const std::string& name) const {
-    const auto found = known.find(name);
-    if (found != known.end()) return found->second;
-    return {Polynomial::variable(ring, name), Polynomial(ring, 1)};
-  }
-  Value add(const Value& a, const Value& b) const { return cancelled(a + b); }
-  // Of two fractions without common factors only those across the bar may have some.
-  Value multiply(const Value& a, const Value& b) const {
-    return cancelled({a.over, b.under}) * cancelled({b.over, a.under});
-  }
-  Value invert(const Value& a) const { return turned_over(a); }
-
+/// Networks as well.
+struct StiffnessAlgebra : QuotientAlgebra {
   Value of(const Symbol& symbol) const { return name(to_text(symbol)); }
   Value constant(const TypedNumber& given) const { return number(exact_decimal(given.decimal)); }
   Value plus(const Value& a, const Value& b) const { return add(a, b); }
@@ -167,7 +150,7 @@ RationalForm rational_form(const SymbolicModel& model,
                            const std::map<std::string, GiNaC::numeric>& values) {
   const ex amplitude = model.per_friction();
   const auto ring = std::make_shared<const Ring>(std::vector<std::string>{own_name("s"), "omega"});
-  QuotientAlgebra algebra{*ring, {}};
+  StiffnessAlgebra algebra{{*ring, {}}};
   for (const auto& [name, value] : values) algebra.known.emplace(name, algebra.number(value));
   for (const NamedNetwork& part : model.networks())
     if (amplitude.has(quantity(part.name)))

@@ -14,6 +14,7 @@
 #include "formula/real_part.hpp"
 #include "formula/symbols.hpp"
 #include "formula/text.hpp"
+#include "polynomial/symbol_ring.hpp"
 
 namespace vcrit::symbolic {
 
@@ -73,8 +74,8 @@ ex shorter_of(const ex& expression) {
   if (expression.nops() == 0) return expression;
   const std::size_t length = to_text(expression).size();
   if (length > longest_joined_text) return expression;
-  const ex fraction = expression.normal().numer_denom();
-  const ex whole = factored_polynomial(fraction.op(0)) / with_powers(fraction.op(1));
+  const LowestTerms fraction = lowest_terms(expression);
+  const ex whole = factored_polynomial(fraction.over) / with_powers(fraction.under);
   return to_text(whole).size() < length ? whole : expression;
 }
 

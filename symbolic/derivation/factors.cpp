@@ -152,14 +152,14 @@ void Factors::put(ex polynomial, int exponent) {
   GiNaC::numeric content = polynomial.integer_content();
   if (leads_with_minus(polynomial)) content = -content;
   coefficient_ *= GiNaC::pow(content, GiNaC::numeric(exponent));
-  polynomial = (polynomial / content).expand();
+  if (!content.is_equal(1)) polynomial = (polynomial / content).expand();
   if (!polynomial.is_equal(1)) (exponent > 0 ? over_ : under_).push_back(polynomial);
 }
 
 void Factors::multiply_rational(const ex& function) {
-  const ex fraction = function.normal().numer_denom();
-  multiply(fraction.op(0), 1);
-  multiply(fraction.op(1), -1);
+  const LowestTerms fraction = lowest_terms(function);
+  multiply(fraction.over, 1);
+  multiply(fraction.under, -1);
 }
 
 void Factors::multiply_product(const ex& product) {
@@ -168,20 +168,34 @@ void Factors::multiply_product(const ex& product) {
 }
 
 void Factors::cancel() {
+  struct Polynomial {
+    ex left;
+    bool whole = true;
+  };
   const std::vector<ex> over = std::move(over_);
-  std::vector<ex> under = std::move(under_);
+  std::vector<Polynomial> under;
+  for (const ex& below : under_) under.push_back({below});
   over_.clear();
   under_.clear();
-  for (ex above : over) {
-    for (ex& below : under) {
-      const CommonFactor shared = common_factor(above, below);
+  for (const ex& each : over) {
+    Polynomial above{each};
+    for (Polynomial& below : under) {
+      const CommonFactor shared = common_factor(above.left, below.left);
       if (GiNaC::is_a<GiNaC::numeric>(shared.common)) continue;
-      above = shared.a_left;
-      below = shared.b_left;
+      above = {shared.a_left, false};
+      below = {shared.b_left, false};
     }
-    multiply(above, 1);
+    if (above.whole)
+      over_.push_back(each);
+    else
+      multiply(above.left, 1);
   }
-  for (const ex& below : under) multiply(below, -1);
+  for (const Polynomial& below : under) {
+    if (below.whole)
+      under_.push_back(below.left);
+    else
+      multiply(below.left, -1);
+  }
 }
 
 std::vector<std::pair<ex, int>> Factors::parts() const {

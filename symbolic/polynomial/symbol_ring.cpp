@@ -6,6 +6,8 @@
 
 #include "base/errors.hpp"
 #include "base/interruption.hpp"
+#include "formula/rational.hpp"
+#include "polynomial/quotient_algebra.hpp"
 
 namespace vcrit::symbolic {
 
@@ -120,6 +122,12 @@ ex SymbolRing::sum(const Polynomial& polynomial) const {
   return GiNaC::add(terms);
 }
 
+LowestTerms lowest_terms(const ex& rational) {
+  const SymbolRing symbols({rational});
+  const PolynomialQuotient found = evaluate_rational(rational, QuotientAlgebra{symbols.ring(), {}});
+  return {symbols.sum(found.over), symbols.sum(found.under)};
+}
+
 CommonFactor common_factor(const ex& a, const ex& b) {
   hear_interruption();
   const SymbolRing ring({a, b});
@@ -129,6 +137,7 @@ CommonFactor common_factor(const ex& a, const ex& b) {
   const int done = fmpz_mpoly_gcd_cofactors(common.raw(), over_left.raw(), under_left.raw(),
                                             over.raw(), under.raw(), over.ring().context());
   ensure(done != 0, "polynomials of this size have a greatest common divisor");
+  if (common.is_one()) return {1, a, b};
   return {ring.sum(common), (whole_a.number * ring.sum(over_left)).expand(),
           (whole_b.number * ring.sum(under_left)).expand()};
 }

@@ -20,6 +20,7 @@ class SymbolRing {
   /// Of an expanded polynomial in these symbols with integer coefficients.
   Polynomial polynomial(const GiNaC::ex& expanded) const;
   GiNaC::ex sum(const Polynomial& polynomial) const;
+  const Ring& ring() const { return ring_; }
 
  private:
   std::size_t index(const GiNaC::ex& symbol) const;
@@ -27,6 +28,13 @@ class SymbolRing {
   std::vector<GiNaC::ex> symbols_;
   Ring ring_;
 };
+
+/// over/under, both multiplied out, with integer coefficients.
+struct LowestTerms {
+  GiNaC::ex over, under;
+};
+/// A rational function with rational coefficients as one fraction without common factors.
+LowestTerms lowest_terms(const GiNaC::ex& rational);
 
 /// a = common * a_left, b = common * b_left; all of them multiplied out.
 struct CommonFactor {
