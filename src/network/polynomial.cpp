@@ -61,6 +61,7 @@ Polynomial::~Polynomial() { fmpz_mpoly_clear(value_, ring_->context()); }
 
 bool Polynomial::is_zero() const { return fmpz_mpoly_is_zero(value_, ring_->context()) != 0; }
 bool Polynomial::is_one() const { return fmpz_mpoly_is_one(value_, ring_->context()) != 0; }
+bool Polynomial::is_number() const { return fmpz_mpoly_is_fmpz(value_, ring_->context()) != 0; }
 
 std::size_t Polynomial::terms() const {
   return static_cast<std::size_t>(fmpz_mpoly_length(value_, ring_->context()));
@@ -185,15 +186,22 @@ FactoredPolynomial polynomial_factors(const Polynomial& polynomial) {
   return result;
 }
 
-PolynomialQuotient cancelled(const PolynomialQuotient& quotient) {
+SharedFactor shared_factor(const Polynomial& a, const Polynomial& b) {
   hear_interruption();
+  const Polynomial none(a.ring(), 0);
+  SharedFactor shared{none, none, none};
+  const int done =
+      fmpz_mpoly_gcd_cofactors(shared.factor.raw(), shared.a_left.raw(), shared.b_left.raw(),
+                               a.raw(), b.raw(), a.ring().context());
+  ensure(done != 0, "polynomials of this size have a greatest common divisor");
+  return shared;
+}
+
+PolynomialQuotient cancelled(const PolynomialQuotient& quotient) {
   if (quotient.under.is_one()) return quotient;
   const fmpz_mpoly_ctx_struct* context = quotient.over.ring().context();
-  Polynomial common(quotient.over.ring(), 0);
-  PolynomialQuotient result{common, common};
-  const int done = fmpz_mpoly_gcd_cofactors(common.raw(), result.over.raw(), result.under.raw(),
-                                            quotient.over.raw(), quotient.under.raw(), context);
-  ensure(done != 0, "polynomials of this size have a greatest common divisor");
+  SharedFactor shared = shared_factor(quotient.over, quotient.under);
+  PolynomialQuotient result{std::move(shared.a_left), std::move(shared.b_left)};
   if (result.under.coefficient(0).starts_with('-')) {
     fmpz_mpoly_neg(result.over.raw(), result.over.raw(), context);
     fmpz_mpoly_neg(result.under.raw(), result.under.raw(), context);

@@ -45,6 +45,7 @@ class Polynomial {
   const Ring& ring() const { return *ring_; }
   bool is_zero() const;
   bool is_one() const;
+  bool is_number() const;
   std::size_t terms() const;
   /// Exponents of term i, one for each variable, and its coefficient as text.
   std::vector<unsigned long> exponents(std::size_t i) const;
@@ -86,6 +87,13 @@ struct FactoredPolynomial {
 };
 /// Of a polynomial other than 0; takes seconds for thousands of terms.
 FactoredPolynomial polynomial_factors(const Polynomial& polynomial);
+
+/// a = factor * a_left, b = factor * b_left, the leading coefficient of the factor positive.
+struct SharedFactor {
+  Polynomial factor, a_left, b_left;
+};
+/// Of a and b, the greatest.
+SharedFactor shared_factor(const Polynomial& a, const Polynomial& b);
 
 /// over/under
 struct PolynomialQuotient {

@@ -128,9 +128,11 @@ class Collector {
       const ex velocity = model_.formula(in_ratio)->velocity;
       return names_.ratio ? by_letter(velocity, names_.ratio->left) : velocity;
     }
-    return shortest_in(
-        names_, change, [&](const Change& each) { return model_.formula(each)->velocity; },
-        printed_operations);
+    const auto in_names = [&](const Change& each) {
+      const bool named = each.ratio.has_value() != change.ratio.has_value() || !each.scale.empty();
+      return named ? model_.formula(each)->velocity : formula.velocity;
+    };
+    return shortest_in(names_, change, in_names, printed_operations);
   }
   // The drive grows fast enough to outrun its own dampers on their way to zero. Where it shares
   // elements with the contact, values alone cannot make it rigid.

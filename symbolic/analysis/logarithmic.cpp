@@ -1,11 +1,10 @@
 #include "analysis/logarithmic.hpp"
 
 #include <utility>
-#include <vector>
 
+#include "base/errors.hpp"
 #include "derivation/factors.hpp"
 #include "formula/text.hpp"
-#include "polynomial/symbol_ring.hpp"
 
 namespace vcrit::symbolic {
 
@@ -13,118 +12,118 @@ namespace {
 
 using GiNaC::ex;
 
-struct Power {
-  ex base;
-  GiNaC::numeric exponent;
-};
-
-/// |f| and f have one logarithmic derivative; numbers have none.
-void flatten(const ex& f, const GiNaC::numeric& exponent, std::vector<Power>& powers) {
-  if (GiNaC::is_a<GiNaC::numeric>(f)) return;
-  if (GiNaC::is_a<GiNaC::mul>(f)) {
-    for (const ex& factor : f) flatten(factor, exponent, powers);
-  } else if (GiNaC::is_a<GiNaC::power>(f)) {
-    flatten(f.op(0), exponent * GiNaC::ex_to<GiNaC::numeric>(f.op(1)), powers);
-  } else if (GiNaC::is_a<GiNaC::function>(f)) {
-    flatten(f.op(0), exponent, powers);
-  } else {
-    powers.push_back({f, exponent});
-  }
-}
-
-std::size_t terms(const ex& polynomial) {
-  return GiNaC::is_a<GiNaC::add>(polynomial) ? polynomial.nops() : 1;
-}
-
-/// sum of exponent x f'/f over the powers that depend on x, over one denominator.
-class LogarithmicSum {
- public:
-  LogarithmicSum(ex x, const std::vector<Line>& letters) : x_(std::move(x)), letters_(letters) {}
-
-  void add(const Power& power) {
-    const ex slope = (x_ * slope_of(power.base)).expand();
-    if (slope.is_zero()) return;
-    if (power.base.is_equal(x_)) {
-      numerator_ += power.exponent * product_;
-      return;
-    }
-    const ex base = power.base.expand();
-    numerator_ = numerator_ * base + power.exponent * slope * product_;
-    product_ *= base;
-    bases_.push_back({power.base, base});
-  }
-
-  void add(const LogarithmicSum& other) {
-    numerator_ = numerator_ * other.product_ + other.numerator_ * product_;
-    product_ *= other.product_;
-    bases_.insert(bases_.end(), other.bases_.begin(), other.bases_.end());
-  }
-
-  /// How many terms there are before like ones are put together.
-  double size() const {
-    double size = 1;
-    for (const auto& [base, expanded] : bases_) size *= static_cast<double>(terms(expanded));
-    return size;
-  }
-
-  ex numerator() const { return numerator_.expand(); }
-
-  ex value() const {
-    Factors over;
-    ex rest = numerator(), under = 1;
-    for (const auto& [base, expanded] : bases_) {
-      const CommonFactor shared = common_factor(rest, expanded);
-      if (GiNaC::is_a<GiNaC::numeric>(shared.common)) {
-        under *= base;
-        continue;
-      }
-      rest = shared.a_left;
-      over.multiply(shared.b_left, -1);
-    }
-    over.multiply(rest, 1);
-    over.cancel();
-    return over.value() / under;
-  }
-
- private:
-  ex slope_of(const ex& base) const {
-    const auto& x = GiNaC::ex_to<GiNaC::symbol>(x_);
-    ex slope = base.diff(x);
-    for (const Line& letter : letters_)
-      slope += base.diff(GiNaC::ex_to<GiNaC::symbol>(letter.left)) * letter.right.diff(x);
-    return slope;
-  }
-
-  ex x_, numerator_ = 0, product_ = 1;
-  std::vector<std::pair<ex, ex>> bases_;  ///< as they are, and expanded
-  const std::vector<Line>& letters_;
-};
-
 // Longer ones are not worth the time, as nobody reads them.
 constexpr double quick = 3000;
 constexpr std::size_t readable_derivative_terms = 40;
 constexpr std::size_t readable_derivative_text = 600;
 
+std::string name_of(const ex& symbol) { return GiNaC::ex_to<GiNaC::symbol>(symbol).get_name(); }
+
+std::vector<ex> all_of(const ex& product, const std::vector<Line>& letters) {
+  std::vector<ex> all{product};
+  for (const Line& letter : letters) all.insert(all.end(), {letter.left, letter.right});
+  return all;
+}
+
 }  // namespace
 
-std::optional<ex> logarithmic_derivative(const ex& f, const ex& x,
-                                         const std::vector<Line>& letters) {
-  std::vector<Power> powers;
-  flatten(f, 1, powers);
-  LogarithmicSum whole(x, letters);
+/// The sum of exponent x f'/f over powers f^exponent, over one denominator.
+class LogarithmicDerivatives::Sum {
+ public:
+  explicit Sum(const Ring& ring) : twice_(ring, 0), product_(ring, 1) {}
+
+  void add(const Slope& slope) {
+    const Polynomial weight(product_.ring(), slope.power->twice);
+    if (slope.of_itself) {
+      twice_ += weight * product_;
+      return;
+    }
+    twice_ = twice_ * slope.power->polynomial + weight * slope.value * product_;
+    product_ *= slope.power->polynomial;
+    powers_.push_back(slope.power);
+  }
+
+  std::size_t terms() const { return twice_.terms(); }
+
+  ex value(const SymbolRing& symbols) const {
+    Factors over;
+    over.multiply(GiNaC::numeric(1, 2), 1);
+    Polynomial rest = twice_;
+    ex under = 1;
+    for (const Power* power : powers_) {
+      SharedFactor shared = shared_factor(rest, power->polynomial);
+      if (shared.factor.is_number()) {
+        under *= power->base;
+        over.multiply(power->number, 1);
+        continue;
+      }
+      rest = std::move(shared.a_left);
+      over.multiply(symbols.sum(shared.b_left), -1);
+    }
+    over.multiply(symbols.sum(rest), 1);
+    over.cancel();
+    return over.value() / under;
+  }
+
+ private:
+  Polynomial twice_, product_;  ///< twice the numerator, and the denominator
+  std::vector<const Power*> powers_;
+};
+
+LogarithmicDerivatives::LogarithmicDerivatives(const ex& product, const std::vector<Line>& letters)
+    : symbols_(all_of(product, letters)) {
+  put(product, 1);
+  for (const Line& letter : letters)
+    letters_.push_back({name_of(letter.left), symbols_.polynomial(letter.right.expand())});
+}
+
+void LogarithmicDerivatives::put(const ex& factor, const GiNaC::numeric& exponent) {
+  if (GiNaC::is_a<GiNaC::numeric>(factor)) return;
+  if (GiNaC::is_a<GiNaC::mul>(factor)) {
+    for (const ex& each : factor) put(each, exponent);
+  } else if (GiNaC::is_a<GiNaC::power>(factor)) {
+    put(factor.op(0), exponent * GiNaC::ex_to<GiNaC::numeric>(factor.op(1)));
+  } else if (GiNaC::is_a<GiNaC::function>(factor)) {
+    put(factor.op(0), exponent);
+  } else {
+    const GiNaC::numeric twice = 2 * exponent;
+    ensure(twice.is_integer(), "only square roots occur");
+    const WholePolynomial whole = whole_of(factor.expand());
+    powers_.push_back({factor, whole.number, symbols_.polynomial(whole.whole), twice.to_long()});
+  }
+}
+
+Polynomial LogarithmicDerivatives::slope_of(const Polynomial& f, const std::string& x) const {
+  Polynomial slope = f.derivative(x);
+  for (const Letter& letter : letters_)
+    slope += f.derivative(letter.name) * letter.meaning.derivative(x);
+  return Polynomial::variable(symbols_.ring(), x) * slope;
+}
+
+std::optional<ex> LogarithmicDerivatives::by(const ex& x) const {
+  const Ring& ring = symbols_.ring();
   ex sum = 0;
-  for (const Power& power : powers) {
-    LogarithmicSum alone(x, letters);
-    alone.add(power);
-    whole.add(alone);
-    if (terms(alone.numerator()) > readable_derivative_terms) return std::nullopt;
-    sum += alone.value();
+  if (!ring.holds(name_of(x))) return sum;
+  std::vector<Slope> slopes;
+  double terms = 1;  // of all together, before like ones are put together
+  for (const Power& power : powers_) {
+    Slope slope{&power, slope_of(power.polynomial, name_of(x)), power.base.is_equal(x)};
+    if (slope.value.is_zero()) continue;
+    Sum alone(ring);
+    alone.add(slope);
+    if (alone.terms() > readable_derivative_terms) return std::nullopt;
+    sum += alone.value(symbols_);
+    if (!slope.of_itself) terms *= static_cast<double>(power.polynomial.terms());
+    slopes.push_back(std::move(slope));
   }
   const std::size_t length = to_text(sum).size();
   if (length > readable_derivative_text) return std::nullopt;
-  if (whole.size() <= quick && terms(whole.numerator()) <= readable_derivative_terms)
-    if (const ex one = whole.value(); 2 * to_text(one).size() <= 3 * length) return one;
-  return sum;
+  if (terms > quick) return sum;
+  Sum whole(ring);
+  for (const Slope& slope : slopes) whole.add(slope);
+  if (whole.terms() > readable_derivative_terms) return sum;
+  const ex one = whole.value(symbols_);
+  return 2 * to_text(one).size() <= 3 * length ? one : sum;
 }
 
 }  // namespace vcrit::symbolic

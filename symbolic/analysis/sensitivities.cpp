@@ -42,7 +42,7 @@ Variable variable(const Problem& problem, const Symbol& parameter,
   if (!is_poisson(problem, parameter)) return {symbol(parameter)};
   const ex nu = poisson_ratio(parameter);
   if (!ratio) return {nu};
-  return {ratio->left, logarithmic_derivative(ratio->right, nu).value()};
+  return {ratio->left, LogarithmicDerivatives(ratio->right).by(nu).value()};
 }
 
 /// A factor of the amplitude as people write it: K_n + g (K_d - m omega^2).
@@ -258,14 +258,15 @@ class SensitivitiesIn {
   SensitivitiesIn(const Derivation& derivation, const Abbreviations& names, const Change& change)
       : derivation_(derivation), ratio_(change.ratio ? names.ratio : std::nullopt) {
     of_chains_.ratio = change.ratio;
-    if (!change.scale.empty()) letters_.push_back(*names.stiffness);
+    std::vector<Line> letters;  // Z, where v* has it
+    if (!change.scale.empty()) letters.push_back(*names.stiffness);
     long_lines_ = has_long_lines(derivation);
     if (!has_fractions(derivation)) return;
-    if (!ratio_ && letters_.empty())
-      velocity_ = derivation.critical_velocity;
+    if (!ratio_ && letters.empty())
+      velocity_.emplace(derivation.critical_velocity);
     else if (const Formula formula = derivation.model->formula(change).value();
              formula.definitions.empty())
-      velocity_ = formula.velocity;
+      velocity_.emplace(formula.velocity, letters);
   }
 
   Sensitivities all() {
@@ -293,7 +294,7 @@ class SensitivitiesIn {
     const auto [x, factor] = variable(derivation_.problem, parameter, ratio_);
     const ex p = is_poisson(derivation_.problem, parameter) ? poisson_ratio(parameter) : x;
     std::optional<ex> fraction;
-    if (velocity_) fraction = logarithmic_derivative(*velocity_, x, letters_);
+    if (velocity_) fraction = velocity_->by(x);
     Sensitivity result =
         fraction ? Sensitivity{parameter, *fraction, {}, {}, {}} : along(parameter, x);
     if (fraction) result.relative = numerators_by_frequency(result.relative);
@@ -314,9 +315,8 @@ class SensitivitiesIn {
 
   const Derivation& derivation_;
   std::optional<Line> ratio_;
-  Change of_chains_;            ///< without Z: definitions have the scene's symbols
-  std::vector<Line> letters_;   ///< Z, where v* has it
-  std::optional<ex> velocity_;  ///< where it is multiplied out
+  Change of_chains_;  ///< without Z: definitions have the scene's symbols
+  std::optional<LogarithmicDerivatives> velocity_;  ///< where it is multiplied out
   bool long_lines_ = false;
   std::optional<Backwards> backwards_;
   std::optional<Chain> chain_;

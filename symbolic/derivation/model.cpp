@@ -293,12 +293,17 @@ Asymptotic SymbolicModel::asymptotic(int direction, Change change) const {
 }
 
 std::map<std::string, Fraction> SymbolicModel::fractions(const Change& change) const {
-  std::map<std::string, Fraction> fractions;
-  for (std::size_t i = 0; i < networks_.size(); ++i)
-    if (is_readable_count(counts(change.rates)[i].value))
-      fractions[networks_[i].name] = scaled_fraction(
-          fraction(networks_[i].network.reduction(), change.rates).value, change.scale);
-  return fractions;
+  if (!fractions_ || fractions_->first != change.rates) {
+    fractions_.emplace(change.rates, std::map<std::string, Fraction>());
+    for (std::size_t i = 0; i < networks_.size(); ++i)
+      if (is_readable_count(counts(change.rates)[i].value))
+        fractions_->second[networks_[i].name] =
+            fraction(networks_[i].network.reduction(), change.rates).value;
+  }
+  std::map<std::string, Fraction> scaled = fractions_->second;
+  if (!change.scale.empty())
+    for (auto& [name, k] : scaled) k = scaled_fraction(k, change.scale);
+  return scaled;
 }
 
 Factors SymbolicModel::multiplied_out(const Factors& amplitude,

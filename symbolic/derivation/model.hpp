@@ -95,7 +95,8 @@ class SymbolicModel {
                                      const Change& change) const;
   Leading<Factors> new_leading_amplitude(const std::map<std::string, int>& powers,
                                          const Change& change) const;
-  /// The networks that are small enough, as ratios of polynomials.
+  /// The networks that are small enough, as ratios of polynomials; without the change's scale they
+  /// are kept for the next one.
   std::map<std::string, Fraction> fractions(const Change& change) const;
   Factors multiplied_out(const Factors& amplitude,
                          const std::map<std::string, Fraction>& fractions) const;
@@ -111,6 +112,7 @@ class SymbolicModel {
   std::optional<GiNaC::ex> ratio_;
   bool loaded_ = false;
   mutable std::pair<GrowthExponents, std::vector<Leading<TermCount>>> counted_;
+  mutable std::optional<std::pair<GrowthExponents, std::map<std::string, Fraction>>> fractions_;
   /// In a document several lines ask for those of each of a few changes. Their places are kept.
   mutable std::deque<std::pair<Change, Factors>> factors_;
   mutable std::optional<GiNaC::ex> per_friction_;  ///< asked for at each point of a proof

@@ -4,6 +4,7 @@
 #include "formula/algebra_lock.hpp"
 #include "formula/symbols.hpp"
 #include "network/law.hpp"
+#include "polynomial/symbol_ring.hpp"
 
 namespace vcrit::symbolic {
 
@@ -117,9 +118,8 @@ struct Fractions {
   static Value mesh(const Value& a, const Value& b, const Value& total) {
     const Value whole{(a.numerator * b.numerator * total.denominator).expand(),
                       (a.denominator * b.denominator * total.numerator).expand()};
-    Value left;
-    GiNaC::gcd(whole.numerator, whole.denominator, &left.numerator, &left.denominator);
-    return {left.numerator.expand(), left.denominator.expand()};
+    const CommonFactor common = common_factor(whole.numerator, whole.denominator);
+    return {common.a_left, common.b_left};
   }
 };
 

@@ -59,24 +59,34 @@ bool is_of_drive(const Form& form) {
   }
 }
 
+/// By rank, those of one rank by the text of the key, which only these need.
+template <class T, class RankOf, class TextOf>
+void sort_by_rank(std::vector<T>& all, const RankOf& rank_of, const TextOf& text_of) {
+  struct Ranked {
+    decltype(rank_of(all.front())) rank;
+    std::string text;
+    T value;
+  };
+  std::map<decltype(rank_of(all.front())), int> sharing;
+  std::vector<Ranked> ranked;
+  for (T& each : all) {
+    ranked.push_back({rank_of(each), "", std::move(each)});
+    ++sharing[ranked.back().rank];
+  }
+  for (Ranked& each : ranked)
+    if (sharing.at(each.rank) > 1) each.text = text_of(each.value);
+  sort_stably(ranked, [](const Ranked& a, const Ranked& b) {
+    return a.rank != b.rank ? a.rank < b.rank : natural_less(a.text, b.text);
+  });
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = std::move(ranked[i].value);
+}
+
 void sort_terms(std::vector<Signed>& terms) {
   if (terms.size() < 2) return;
-  using Key = std::tuple<int, bool, bool, std::string>;
-  std::vector<std::pair<Key, Signed>> keyed;
-  for (Signed& term : terms) {
-    Key rank{frequency_degree(term.form), holds_sum(term.form), is_of_drive(term.form),
-             key(term.form)};
-    keyed.emplace_back(std::move(rank), std::move(term));
-  }
-  sort_stably(keyed, [](const auto& a, const auto& b) {
-    const auto& [degree_a, sum_a, drive_a, text_a] = a.first;
-    const auto& [degree_b, sum_b, drive_b, text_b] = b.first;
-    const auto first = std::tie(degree_a, sum_a, drive_a),
-               second = std::tie(degree_b, sum_b, drive_b);
-    if (first != second) return first < second;
-    return natural_less(text_a, text_b);
-  });
-  for (std::size_t i = 0; i < terms.size(); ++i) terms[i] = std::move(keyed[i].second);
+  const auto rank_of = [](const Signed& term) {
+    return std::tuple(frequency_degree(term.form), holds_sum(term.form), is_of_drive(term.form));
+  };
+  sort_by_rank(terms, rank_of, [](const Signed& term) { return key(term.form); });
 }
 
 bool has_base(const Form& factor, const char* name) {
@@ -121,14 +131,8 @@ void sort_factors(std::vector<Form>& factors) {
   if (factors.size() < 2) return;
   const bool prefactor =
       std::any_of(factors.begin(), factors.end(), [](const Form& f) { return has_base(f, "mu0"); });
-  std::vector<std::tuple<int, std::string, Form>> keyed;
-  for (Form& factor : factors)
-    keyed.emplace_back(rank(factor, prefactor), key(factor), std::move(factor));
-  sort_stably(keyed, [](const auto& a, const auto& b) {
-    if (std::get<0>(a) != std::get<0>(b)) return std::get<0>(a) < std::get<0>(b);
-    return natural_less(std::get<1>(a), std::get<1>(b));
-  });
-  for (std::size_t i = 0; i < factors.size(); ++i) factors[i] = std::move(std::get<2>(keyed[i]));
+  sort_by_rank(
+      factors, [&](const Form& factor) { return rank(factor, prefactor); }, key);
 }
 
 /// A sum whose first term is negative, turned round.

@@ -65,15 +65,12 @@ GiNaC::numeric term_coefficient(const Polynomial& sum, std::size_t i) {
   return {sum.coefficient(i).c_str()};
 }
 
-/// polynomial = number * whole, which has integer coefficients.
-struct Whole {
-  ex whole, number;
-};
-
-Whole whole_of(const ex& polynomial) {
-  const ex content = polynomial.integer_content();
-  if (content.info(GiNaC::info_flags::integer)) return {polynomial, 1};
-  return {(polynomial / content).expand(), content};
+/// Whether the terms that have the variable in one power are a single one, for any power: all that
+/// such a polynomial has in common with them is a number, or a product of variables.
+bool has_lone_term(const Polynomial& polynomial, std::size_t variable) {
+  std::map<unsigned long, int> terms;
+  for (std::size_t i = 0; i < polynomial.terms(); ++i) ++terms[polynomial.exponents(i)[variable]];
+  return std::any_of(terms.begin(), terms.end(), [](const auto& each) { return each.second == 1; });
 }
 
 }  // namespace
@@ -122,6 +119,12 @@ ex SymbolRing::sum(const Polynomial& polynomial) const {
   return GiNaC::add(terms);
 }
 
+WholePolynomial whole_of(const ex& polynomial) {
+  const ex content = polynomial.integer_content();
+  if (content.info(GiNaC::info_flags::integer)) return {polynomial, 1};
+  return {(polynomial / content).expand(), content};
+}
+
 LowestTerms lowest_terms(const ex& rational) {
   const SymbolRing symbols({rational});
   const PolynomialQuotient found = evaluate_rational(rational, QuotientAlgebra{symbols.ring(), {}});
@@ -129,17 +132,13 @@ LowestTerms lowest_terms(const ex& rational) {
 }
 
 CommonFactor common_factor(const ex& a, const ex& b) {
-  hear_interruption();
   const SymbolRing ring({a, b});
-  const Whole whole_a = whole_of(a), whole_b = whole_of(b);
-  const Polynomial over = ring.polynomial(whole_a.whole), under = ring.polynomial(whole_b.whole);
-  Polynomial common(over.ring(), 0), over_left = common, under_left = common;
-  const int done = fmpz_mpoly_gcd_cofactors(common.raw(), over_left.raw(), under_left.raw(),
-                                            over.raw(), under.raw(), over.ring().context());
-  ensure(done != 0, "polynomials of this size have a greatest common divisor");
-  if (common.is_one()) return {1, a, b};
-  return {ring.sum(common), (whole_a.number * ring.sum(over_left)).expand(),
-          (whole_b.number * ring.sum(under_left)).expand()};
+  const WholePolynomial whole_a = whole_of(a), whole_b = whole_of(b);
+  const SharedFactor shared =
+      shared_factor(ring.polynomial(whole_a.whole), ring.polynomial(whole_b.whole));
+  if (shared.factor.is_one()) return {1, a, b};
+  return {ring.sum(shared.factor), (whole_a.number * ring.sum(shared.a_left)).expand(),
+          (whole_b.number * ring.sum(shared.b_left)).expand()};
 }
 
 std::vector<ex> split_by(const ex& polynomial, const std::vector<ex>& symbols) {
@@ -147,16 +146,17 @@ std::vector<ex> split_by(const ex& polynomial, const std::vector<ex>& symbols) {
   std::vector<ex> all = symbols;
   all.push_back(polynomial);
   const SymbolRing ring(all);
-  const Whole whole = whole_of(polynomial);
+  const WholePolynomial whole = whole_of(polynomial);
   Polynomial rest = ring.polynomial(whole.whole);
   const fmpz_mpoly_ctx_struct* context = rest.ring().context();
   std::vector<ex> factors;
   for (const ex& symbol : symbols) {
     slong index = static_cast<slong>(rest.ring().index(symbol_name(symbol)));
+    if (has_lone_term(rest, static_cast<std::size_t>(index))) continue;
     Polynomial content(rest.ring(), 0);
     const int found = fmpz_mpoly_content_vars(content.raw(), rest.raw(), &index, 1, context);
     ensure(found != 0, "polynomials of this size have contents");
-    if (fmpz_mpoly_is_fmpz(content.raw(), context) != 0) continue;
+    if (content.is_number()) continue;
     fmpz_mpoly_divides(rest.raw(), rest.raw(), content.raw(), context);
     factors.push_back(ring.sum(content));
   }

@@ -29,6 +29,12 @@ class SymbolRing {
   Ring ring_;
 };
 
+/// polynomial = number * whole, which has integer coefficients.
+struct WholePolynomial {
+  GiNaC::ex whole, number;
+};
+WholePolynomial whole_of(const GiNaC::ex& polynomial);
+
 /// over/under, both multiplied out, with integer coefficients.
 struct LowestTerms {
   GiNaC::ex over, under;
@@ -43,9 +49,9 @@ struct CommonFactor {
 /// Of two expanded polynomials with rational coefficients.
 CommonFactor common_factor(const GiNaC::ex& a, const GiNaC::ex& b);
 
-/// The factors of an expanded polynomial with rational coefficients that lack the first of these
-/// symbols, of what is left those that lack the second, ..., and at the end what is left: their
-/// product is the polynomial.
+/// The factors of an expanded polynomial with rational coefficients, none of them a symbol, that
+/// lack the first of these symbols, of what is left those that lack the second, ..., and at the end
+/// what is left: their product is the polynomial.
 std::vector<GiNaC::ex> split_by(const GiNaC::ex& polynomial, const std::vector<GiNaC::ex>& symbols);
 
 }  // namespace vcrit::symbolic
