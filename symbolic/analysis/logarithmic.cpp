@@ -17,7 +17,9 @@ constexpr double quick = 3000;
 constexpr std::size_t readable_derivative_terms = 40;
 constexpr std::size_t readable_derivative_text = 600;
 
-std::string name_of(const ex& symbol) { return GiNaC::ex_to<GiNaC::symbol>(symbol).get_name(); }
+std::string name_of_symbol(const ex& symbol) {
+  return GiNaC::ex_to<GiNaC::symbol>(symbol).get_name();
+}
 
 std::vector<ex> all_of(const ex& product, const std::vector<Line>& letters) {
   std::vector<ex> all{product};
@@ -32,7 +34,7 @@ class LogarithmicDerivatives::Sum {
  public:
   explicit Sum(const Ring& ring) : twice_(ring, 0), product_(ring, 1) {}
 
-  void add(const Slope& slope) {
+  void add(const PowerSlope& slope) {
     const Polynomial weight(product_.ring(), slope.power->twice);
     if (slope.of_itself) {
       twice_ += weight * product_;
@@ -74,7 +76,7 @@ LogarithmicDerivatives::LogarithmicDerivatives(const ex& product, const std::vec
     : symbols_(all_of(product, letters)) {
   put(product, 1);
   for (const Line& letter : letters)
-    letters_.push_back({name_of(letter.left), symbols_.polynomial(letter.right.expand())});
+    letters_.push_back({name_of_symbol(letter.left), symbols_.polynomial(letter.right.expand())});
 }
 
 void LogarithmicDerivatives::put(const ex& factor, const GiNaC::numeric& exponent) {
@@ -103,11 +105,11 @@ Polynomial LogarithmicDerivatives::slope_of(const Polynomial& f, const std::stri
 std::optional<ex> LogarithmicDerivatives::by(const ex& x) const {
   const Ring& ring = symbols_.ring();
   ex sum = 0;
-  if (!ring.holds(name_of(x))) return sum;
-  std::vector<Slope> slopes;
+  if (!ring.holds(name_of_symbol(x))) return sum;
+  std::vector<PowerSlope> slopes;
   double terms = 1;  // of all together, before like ones are put together
   for (const Power& power : powers_) {
-    Slope slope{&power, slope_of(power.polynomial, name_of(x)), power.base.is_equal(x)};
+    PowerSlope slope{&power, slope_of(power.polynomial, name_of_symbol(x)), power.base.is_equal(x)};
     if (slope.value.is_zero()) continue;
     Sum alone(ring);
     alone.add(slope);
@@ -120,7 +122,7 @@ std::optional<ex> LogarithmicDerivatives::by(const ex& x) const {
   if (length > readable_derivative_text) return std::nullopt;
   if (terms > quick) return sum;
   Sum whole(ring);
-  for (const Slope& slope : slopes) whole.add(slope);
+  for (const PowerSlope& slope : slopes) whole.add(slope);
   if (whole.terms() > readable_derivative_terms) return sum;
   const ex one = whole.value(symbols_);
   return 2 * to_text(one).size() <= 3 * length ? one : sum;

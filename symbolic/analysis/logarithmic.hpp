@@ -32,7 +32,7 @@ class LogarithmicDerivatives {
     Polynomial polynomial;
     long twice;  ///< the exponent
   };
-  struct Slope {
+  struct PowerSlope {
     const Power* power;
     Polynomial value;  ///< x f' of the base f
     bool of_itself;    ///< where f is x

@@ -45,6 +45,18 @@ BOOST_AUTO_TEST_CASE(fractions_stay_with_what_is_left) {
   BOOST_TEST(same(found.common * found.b_left, b));
 }
 
+BOOST_AUTO_TEST_CASE(a_rational_function_is_one_fraction_in_lowest_terms) {
+  // k/(k + s) + s/(k + s) - 2 s/(k + s) = (k - s)/(k + s), times (k + s)/(3 m (k - s)^2).
+  const ex sum = k / (k + s) + s / (k + s) - 2 * s / (k + s);
+  const LowestTerms found = lowest_terms(sum * (k + s) / (3 * m * pow(k - s, 2)));
+  BOOST_TEST(same(found.over * (3 * m * (k - s)), found.under));
+  BOOST_TEST(found.over.info(GiNaC::info_flags::integer));
+  BOOST_TEST(found.under.nops() == 2U);
+  const LowestTerms none = lowest_terms((k - s) * (k + s) - k * k + s * s);
+  BOOST_TEST(none.over.is_zero());
+  BOOST_TEST(none.under.is_equal(1));
+}
+
 BOOST_AUTO_TEST_CASE(a_polynomial_splits_by_the_symbols_that_its_factors_lack) {
   const ex whole = ((2 - nu) * (k - m * w * w) * (s + w) / 3).expand();
   const std::vector<ex> found = split_by(whole, {k, m});
