@@ -1,7 +1,8 @@
 // The nodal analysis, compiled once: numbers of 250 digits take the compiler long.
 #include "support/nodal.hpp"
 
-#include <boost/multiprecision/cpp_complex.hpp>
+#include <boost/multiprecision/complex_adaptor.hpp>
+#include <boost/multiprecision/mpfr.hpp>
 #include <ios>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace vcrit::test {
 
 namespace {
 
-using Binary = boost::multiprecision::cpp_bin_float<250>;
+using Binary = boost::multiprecision::mpfr_float_backend<250>;
 using ManyDigits = boost::multiprecision::number<Binary>;
 using ComplexDigits = boost::multiprecision::number<boost::multiprecision::complex_adaptor<Binary>>;
 
