@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "emit/library.hpp"
 #include "support/reference_scene.hpp"
 
 namespace vcrit::test {
@@ -26,12 +27,13 @@ inline bool have_one_shape(const Scene& a, const Scene& b) {
          a.mass.has_value() == b.mass.has_value();
 }
 
-/// Of scenes with no more than `largest` elements, `expected` rows.
-inline ExtremeCases extreme_cases(std::size_t largest, std::size_t expected) {
+/// Of scenes with `least` to `most` elements, `expected` rows.
+inline ExtremeCases extreme_cases(std::size_t least, std::size_t most, std::size_t expected) {
   ExtremeCases cases;
   std::vector<Scene>& shapes = cases.shapes;
   for (const ReferenceRow& row : extreme_rows()) {
-    if (!row.scene || row.scene->elements.size() > largest) continue;
+    if (!row.scene || row.scene->elements.size() < least || row.scene->elements.size() > most)
+      continue;
     const auto same = std::find_if(shapes.begin(), shapes.end(), [&](const Scene& shape) {
       return have_one_shape(shape, *row.scene);
     });
@@ -41,6 +43,16 @@ inline ExtremeCases extreme_cases(std::size_t largest, std::size_t expected) {
   }
   require_rows(cases.rows.size(), expected, "vstar_extreme.csv");
   return cases;
+}
+
+inline std::vector<Call> calls_of(const ExtremeCases& cases) {
+  std::vector<Call> calls;
+  for (const ExtremeCase& row : cases.rows) {
+    calls.emplace_back();
+    calls.back().library = row.shape;
+    calls.back().scene = row.scene;
+  }
+  return calls;
 }
 
 /// Whether a value keeps its relative bound, where that is finite.

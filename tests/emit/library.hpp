@@ -23,6 +23,14 @@ namespace vcrit::test {
 inline const std::vector<std::string> strict_flags{
     "-std=c++20", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"};
 
+/// What takes a compiler least, for the plainest processor: on x86-64 one without fma.
+inline const std::vector<std::string> plainest_flags{
+    "-O0",
+#ifdef __x86_64__
+    "-march=x86-64",
+#endif
+};
+
 inline std::vector<std::string> compilers(const PrivateFolder& folder) {
   const std::vector<std::string> names{"g++", "clang++"};
   for (const std::string& name : names) require_tool(name, folder.path());

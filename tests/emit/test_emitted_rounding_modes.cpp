@@ -44,15 +44,6 @@ double expected_in(const test::ArithmeticState& state, const test::ExtremeCase& 
              : row.expected;
 }
 
-/// "-march=x86-64" has no fma.
-std::vector<std::string> processors() {
-#ifdef __x86_64__
-  return {"-march=x86-64", "-march=native"};
-#else
-  return {"-march=native"};
-#endif
-}
-
 /// The bound counts roundings to the nearest, half a unit each. Other modes lose up to a unit, so
 /// that all is twice as much. Two half units for the table's own rounding, and where v* is
 /// subnormal the unit is 2^-1074; flushed, it is 0, or the least normal number where the processor
@@ -64,16 +55,6 @@ bool is_right(double value, double bound, double expected, const test::Arithmeti
   if (expected >= DBL_MIN) return std::abs(value / expected - 1) <= times * bound + 0x1p-52;
   if (state.flush_to_zero) return value >= 0 && value <= DBL_MIN;
   return std::abs(value - expected) <= times * bound * expected + 0x1p-1073;
-}
-
-std::vector<Call> calls_of(const test::ExtremeCases& cases) {
-  std::vector<Call> calls;
-  for (const test::ExtremeCase& row : cases.rows) {
-    calls.emplace_back();
-    calls.back().library = row.shape;
-    calls.back().scene = row.scene;
-  }
-  return calls;
 }
 
 /// kn = kt = kd = 1, no damping to speak of, du_z and mu0 far beyond any device: v* is 2^1200.
@@ -106,12 +87,12 @@ BOOST_AUTO_TEST_CASE(above_the_largest_double) {
 
 // The driver fails if a function leaves another state behind than it found.
 BOOST_AUTO_TEST_CASE(twice_the_bound_in_every_state) {
-  const test::ExtremeCases cases = test::extreme_cases(12, 142);
-  std::vector<Call> calls = calls_of(cases);
+  const test::ExtremeCases cases = test::extreme_cases(0, 12, 142);
+  std::vector<Call> calls = test::calls_of(cases);
   const test::Libraries libraries(cases.shapes);
   const std::string compiler = test::compilers(libraries.folder()).front();
-  for (const std::string& processor : processors()) {
-    BOOST_REQUIRE_EQUAL(libraries.compile(compiler, {"-O0", processor}), "");
+  for (const std::vector<std::string>& flags : {test::plainest_flags, {"-O0", "-march=native"}}) {
+    BOOST_REQUIRE_EQUAL(libraries.compile(compiler, flags), "");
     const auto is_bounded = [](const Call& call) { return std::isfinite(call.bound); };
     libraries.evaluate(calls);
     const auto bounded = std::count_if(calls.begin(), calls.end(), is_bounded);
@@ -123,9 +104,10 @@ BOOST_AUTO_TEST_CASE(twice_the_bound_in_every_state) {
       for (std::size_t i = 0; i < calls.size(); ++i) {
         const Call& call = calls[i];
         const double expected = expected_in(state, cases.rows[i]);
-        BOOST_TEST_CONTEXT(processor << " " << state.rounding << " " << state.flush_to_zero << ", "
-                                     << call.scene.file << ": " << call.value << ", fast "
-                                     << call.fast_value << ", expected " << expected) {
+        BOOST_TEST_CONTEXT(flags.back()
+                           << " " << state.rounding << " " << state.flush_to_zero << ", "
+                           << call.scene.file << ": " << call.value << ", fast " << call.fast_value
+                           << ", expected " << expected) {
           BOOST_TEST(!std::isnan(call.value));
           BOOST_TEST(!std::isnan(call.fast_value));
           BOOST_TEST(is_right(call.value, call.bound, expected, state));
