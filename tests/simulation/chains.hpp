@@ -1,6 +1,7 @@
 // The rows of tests/data/two_mass_chains.csv as scenes (two_mass_chains.md).
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 

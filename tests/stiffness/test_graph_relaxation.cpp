@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "base/errors.hpp"
 #include "simulation/reference_tables.hpp"
