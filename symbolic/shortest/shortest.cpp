@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <memory>
+
 #include "derivation/model.hpp"
 #include "formula/algebra_lock.hpp"
 #include "network/law.hpp"
@@ -68,7 +70,18 @@ FoundForm find_form(const Problem& problem, const DimensionlessGroups* groups) {
 
 }  // namespace
 
-FoundForm find_shortest_form(const Problem& problem) { return find_form(problem, nullptr); }
+// Documents of one problem in several forms all ask for it.
+FoundForm find_shortest_form(const Problem& problem) {
+  struct Found {
+    Problem problem;
+    FoundForm form;
+  };
+  static auto* const last = new std::unique_ptr<Found>;  // never ended: GiNaC may end before it
+  const AlgebraLock lock;
+  if (!*last || &*(*last)->problem != &*problem)
+    *last = std::make_unique<Found>(Found{problem, find_form(problem, nullptr)});
+  return (*last)->form;
+}
 
 FoundForm find_dimensionless_form(const Problem& problem, const DimensionlessGroups& groups) {
   return find_form(problem, &groups);

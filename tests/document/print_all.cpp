@@ -13,7 +13,7 @@
 
 namespace {
 
-void print_derivation(const vcrit::Scene& scene) {
+void print_derivation(const vcrit::Problem& scene) {
   using namespace vcrit;
   using symbolic::Format;
   const symbolic::Findings all = symbolic::findings_of(scene, {Format::text, true, true});
@@ -22,12 +22,13 @@ void print_derivation(const vcrit::Scene& scene) {
   std::cout << symbolic::print(scene, {Format::json, true, true});
   for (const auto form : {symbolic::ResultForm::nested, symbolic::ResultForm::dimensionless})
     std::cout << symbolic::print(scene, {Format::text, false, false, form});
-  if (!scene.receptance)
+  if (scene->receptance() == nullptr)
     std::cout << symbolic::print(scene,
                                  {Format::text, false, false, symbolic::ResultForm::storage_loss});
   for (const std::string& system : symbolic::system_names())
     std::cout << symbolic::print_findings(scene, all, Format::system, system);
-  if (!scene.receptance && symbolic::terms_before_squaring(symbolic::SymbolicModel(scene)) < 300)
+  if (scene->receptance() == nullptr &&
+      symbolic::terms_before_squaring(symbolic::SymbolicModel(scene)) < 300)
     std::cout << symbolic::print(scene,
                                  {Format::json, false, false, symbolic::ResultForm::rational});
   for (const symbolic::Line& line : symbolic::derive(scene).lines)

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "document/findings.hpp"
@@ -43,8 +44,7 @@ symbolic::DocumentOptions options_of(const nlohmann::ordered_json& asked) {
   return options;
 }
 
-nlohmann::ordered_json documents(const nlohmann::ordered_json& asked) {
-  const Problem problem = read_problem(asked.at("scene"));
+nlohmann::ordered_json documents(const Problem& problem, const nlohmann::ordered_json& asked) {
   symbolic::DocumentOptions options = options_of(asked);
   const symbolic::AlgebraLock lock;
   const symbolic::NamesOfScene names(problem);
@@ -64,6 +64,11 @@ nlohmann::ordered_json documents(const nlohmann::ordered_json& asked) {
 }  // namespace
 
 int main() {
-  for (std::string line; std::getline(std::cin, line);)
-    std::cout << documents(record::read_json(line)).dump() << '\n';
+  std::string file;  // most scenes are asked for in several forms, one after the other
+  std::optional<Problem> problem;
+  for (std::string line; std::getline(std::cin, line);) {
+    const nlohmann::ordered_json asked = record::read_json(line);
+    if (file != asked.at("scene")) problem = read_problem(file = asked.at("scene"));
+    std::cout << documents(*problem, asked).dump() << '\n';
+  }
 }
