@@ -2,22 +2,18 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "normal/normal_force.hpp"
+#include "normal/quadrature_rules.hpp"
 
 namespace vcrit::indenter {
 
 namespace {
 
 using simulation::NormalCycle;
-
-constexpr unsigned asked_of_span = 20;
-
-using FrontRule = boost::math::quadrature::gauss<double, asked_of_span>;
 
 // Cells that dip by less than this share of the amplitude touch as if the surface had no memory:
 // they do for a thousandth of the period, and weigh 1e-9 of all under a parabola.
@@ -190,15 +186,14 @@ std::vector<MemoryForce::Span> MemoryForce::spans(const Opening& part, double lo
   const auto numbers = 2 + static_cast<Eigen::Index>(cells_.modes().branch_rates.size());
   Eigen::VectorXd touch;
   for (Span& span : result) {
-    span.touches.resize(1 + numbers, asked_of_span);
+    const SymmetricRule rule = gauss_20();
+    span.touches.resize(1 + numbers, 2 * static_cast<Eigen::Index>(rule.nodes.size()));
     Eigen::Index column = 0;
-    FrontRule::integrate(
-        [&](double s) {
-          part.touch.at(s, touch);
-          span.touches.col(column++) << part.panel.rate(s), touch;
-          return 0.0;
-        },
-        span.low, span.high);
+    integral(rule, span.low, span.high, [&](double s) {
+      part.touch.at(s, touch);
+      span.touches.col(column++) << part.panel.rate(s), touch;
+      return 0.0;
+    });
   }
   return result;
 }
@@ -217,7 +212,7 @@ void MemoryForce::add_span(const Span& span, double t, Sum& sum) const {
     }
     return touch(0) * std::complex<double>(force, rate);
   };
-  const std::complex<double> found = FrontRule::integrate(next, span.low, span.high);
+  const std::complex<double> found = integral(gauss_20(), span.low, span.high, next);
   sum.force += 2 * found.real();
   sum.rate += 2 * found.imag();
 }

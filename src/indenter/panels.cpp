@@ -4,18 +4,16 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 
 #include "base/constants.hpp"
+#include "normal/quadrature_rules.hpp"
 
 namespace vcrit::indenter {
 
 namespace {
 
 constexpr std::size_t nodes = 21;  // with 10 of Gauss: the usual pair of QUADPACK
-using Kronrod = boost::math::quadrature::gauss_kronrod<double, nodes>;
-using Gauss = boost::math::quadrature::gauss<double, nodes / 2>;
 
 // Of a panel's integral: differences of its two sums below this say nothing.
 constexpr double force_rounding = 16 * epsilon;
@@ -29,15 +27,14 @@ struct Node {
   double kronrod = 0, gauss = 0;  // weights; no Gauss node: 0
 };
 
-// Boost lists the nodes >= 0 of (-1, 1), those of the Gauss rule of even order in odd places.
 std::array<Node, nodes> all_nodes() {
   std::array<Node, nodes> result;
-  const auto& abscissa = Kronrod::abscissa();
-  for (std::size_t i = 0; i < abscissa.size(); ++i) {
-    const double kronrod = 0.5 * Kronrod::weights()[i];
-    const double gauss = i % 2 == 1 ? 0.5 * Gauss::weights()[i / 2] : 0;
-    result[nodes / 2 - i] = {0.5 * (1 - abscissa[i]), kronrod, gauss};
-    result[nodes / 2 + i] = {0.5 * (1 + abscissa[i]), kronrod, gauss};
+  const auto [places, weights] = kronrod_21();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double kronrod = 0.5 * weights[i];
+    const double gauss = i % 2 == 1 ? 0.5 * gauss_10().weights[i / 2] : 0;
+    result[nodes / 2 - i] = {0.5 * (1 - places[i]), kronrod, gauss};
+    result[nodes / 2 + i] = {0.5 * (1 + places[i]), kronrod, gauss};
   }
   return result;
 }

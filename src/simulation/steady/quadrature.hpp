@@ -2,11 +2,11 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
 #include "base/interruption.hpp"
 #include "modes/spectrum.hpp"
+#include "normal/quadrature_rules.hpp"
 
 namespace vcrit::simulation {
 
@@ -51,15 +51,15 @@ class Quadrature {
   // Longer ones are seconds of computing.
   static constexpr double most_panels = 50'000;
 
-  using Gauss = boost::math::quadrature::gauss<double, 30>;
   // Of the first panel, within which nothing decays; the next ones double.
   static constexpr double shortest = 1e-14;
 
   template <class Rate>
   static void rule(double middle, double half, const Rate& rate) {
-    for (std::size_t i = 0; i < Gauss::abscissa().size(); ++i)
+    const auto [nodes, weights] = gauss_30();
+    for (std::size_t i = 0; i < nodes.size(); ++i)
       for (const double side : {-1.0, 1.0})
-        rate(middle + side * half * Gauss::abscissa()[i], half * Gauss::weights()[i]);
+        rate(middle + side * half * nodes[i], half * weights[i]);
   }
 
   double swing_ = 0, lasts_ = 0, first_ = shortest;
