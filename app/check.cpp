@@ -2,7 +2,7 @@
 // The problems are what was asked for, so they are printed on stdout.
 #include <fmt/core.h>
 #include <unistd.h>
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
 #include <algorithm>
 #include <memory>

@@ -1,7 +1,7 @@
 // An option that takes one of some names.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <string>
 #include <utility>
 #include <vector>

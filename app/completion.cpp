@@ -1,6 +1,6 @@
 // What the program answers to a shell that asks what may follow.
 #include <fmt/core.h>
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // vcrit critical: v* by the formula against v* by simulation.
 #include <fmt/core.h>
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
 #include <cmath>
 #include <limits>

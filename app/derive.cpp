@@ -1,7 +1,7 @@
 // vcrit derive: Eq. 24 derived for a scene, as text, LaTeX, Markdown, HTML, JSON or for other
 // systems; and the pages about its networks and about all named rheologies.
 #include <fmt/core.h>
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
 #include <memory>
 #include <string>

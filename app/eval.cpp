@@ -1,7 +1,7 @@
 // vcrit eval: v* of a scene, correctly rounded, and whether Eq. 24 applies.
 #include <fmt/core.h>
 #include <unistd.h>
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
 #include <cmath>
 #include <memory>

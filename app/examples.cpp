@@ -1,7 +1,7 @@
 #include "examples.hpp"
 
 #include <fmt/core.h>
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
 #include <map>
 #include <string>

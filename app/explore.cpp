@@ -1,6 +1,6 @@
 // vcrit explore: a page in which the scene's parameters can be moved.
 #include <fmt/core.h>
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
 #include <filesystem>
 #include <memory>

@@ -1,6 +1,6 @@
 // vcrit generate: the evaluator of one scene, in C++ or another language.
 #include <fmt/core.h>
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
 #include <filesystem>
 #include <map>

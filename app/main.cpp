@@ -1,6 +1,6 @@
 // The program `vcrit`.
 #include <fmt/core.h>
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
 #include <string>
 #include <string_view>

@@ -1,6 +1,6 @@
 // vcrit(1) in the man macros of roff: the frame in shell/vcrit.1, filled with commands and options.
 #include <fmt/core.h>
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
 #include "base/joined.hpp"
 #include "shell.hpp"

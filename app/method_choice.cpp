@@ -1,7 +1,7 @@
 #include "method_choice.hpp"
 
 #include <fmt/core.h>
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
 #include <algorithm>
 #include <vector>

@@ -2,7 +2,7 @@
 // the terminal or in a file.
 #include <fmt/core.h>
 #include <unistd.h>
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
 #include <filesystem>
 #include <memory>

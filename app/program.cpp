@@ -2,7 +2,8 @@
 
 #include <fmt/core.h>
 #include <unistd.h>
-#include <CLI/CLI.hpp>
+#include <CLI/CLI.hpp>  // with code of help and configuration, which a compiler takes seconds for:
+                        // other files leave it at CLI/App.hpp
 
 #include <algorithm>
 #include <csignal>

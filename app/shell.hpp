@@ -2,7 +2,7 @@
 // was told, so that none of them can know more or less than the program.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <string>
 #include <vector>
 

@@ -2,7 +2,7 @@
 #include "design/solve.hpp"
 
 #include <fmt/core.h>
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
 #include <memory>
 #include <optional>

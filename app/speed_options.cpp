@@ -1,7 +1,7 @@
 #include "speed_options.hpp"
 
 #include <fmt/core.h>
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // --velocity and --velocity-ratio: the speed of the drive that a command asks about.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <optional>
 #include <string>
 

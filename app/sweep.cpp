@@ -2,7 +2,7 @@
 // forty libraries behind them takes longer than most commands take to start and answer.
 #include <fmt/core.h>
 #include <unistd.h>
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
 #include <cerrno>
 #include <cstring>

@@ -1,7 +1,7 @@
 // Command lines that cannot be read.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
 #include "base/errors.hpp"
 
