@@ -9,7 +9,6 @@
 #include "formula/algebra_lock.hpp"
 #include "formula/symbols.hpp"
 #include "network/law.hpp"
-#include "polynomial/symbol_ring.hpp"
 
 namespace vcrit::symbolic {
 
@@ -41,13 +40,14 @@ bool is_readable_part(const ex& polynomial) {
 
 /// p/q at s = i omega, times |q|^2 and without what both parts share.
 Resonance::Parts real_and_imaginary(const ex& rational) {
-  const LowestTerms fraction = lowest_terms(rational);
-  const EvenOdd p = even_odd(fraction.over), q = even_odd(fraction.under);
+  const ex fraction = rational.normal().numer_denom();
+  const EvenOdd p = even_odd(fraction.op(0).expand()), q = even_odd(fraction.op(1).expand());
   const ex real = (p.even * q.even + GiNaC::pow(omega(), 2) * p.odd * q.odd).expand();
   const ex imaginary = (omega() * (p.odd * q.even - p.even * q.odd)).expand();
-  const CommonFactor shared = common_factor(real, imaginary);
-  const int sign = is_negative(shared.common) ? -1 : 1;
-  return {(sign * shared.a_left).expand(), (sign * shared.b_left).expand()};
+  ex real_left, imaginary_left;
+  const ex shared = GiNaC::gcd(real, imaginary, &real_left, &imaginary_left);
+  const int sign = is_negative(shared) ? -1 : 1;
+  return {(sign * real_left).expand(), (sign * imaginary_left).expand()};
 }
 
 // A sum under the root: GiNaC would take the number of a product out of it.
