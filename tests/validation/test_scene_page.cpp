@@ -25,7 +25,8 @@ namespace {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != text.npos; }
 
-/// The page as it is read: without scripts (but with the charts' data) and without style.
+/// The page as it is read: without scripts (but with the charts' data), style and the simulator,
+/// whose digits spell any word by chance.
 std::string without_code(std::string html) {
   for (const std::string_view script : scripts()) {
     const auto at = html.find(script);
@@ -36,6 +37,11 @@ std::string without_code(std::string html) {
     if (const auto at = html.find(script); at != html.npos) html.erase(at, script.size());
   for (const std::string_view each : {style(), explorer_style()})
     if (const auto at = html.find(each); at != html.npos) html.erase(at, each.size());
+  const std::string simulator = "id=\"simulator-module\">";
+  if (auto at = html.find(simulator); at != html.npos) {
+    at += simulator.size();
+    html.erase(at, html.find('<', at) - at);
+  }
   return html;
 }
 
