@@ -14,6 +14,7 @@
 #include "formula/real_part.hpp"
 #include "formula/symbols.hpp"
 #include "formula/text.hpp"
+#include "network/polynomial.hpp"
 #include "polynomial/symbol_ring.hpp"
 
 namespace vcrit::symbolic {
@@ -48,24 +49,16 @@ Variable variable(const Problem& problem, const Symbol& parameter,
 /// A factor of the amplitude as people write it: K_n + g (K_d - m omega^2).
 ex by_ratio(const ex& factor) { return factor.expand().collect(positive_quantity("g")); }
 
-/// A product of powers of polynomials. GiNaC's has factors that depend on its order of symbols, so
-/// those of one exponent are multiplied out.
+/// A product of powers of polynomials, one for each exponent.
 ex with_powers(const ex& polynomial) {
-  const ex found = GiNaC::sqrfree(polynomial);
-  std::map<int, ex> bases;
-  const auto add = [&](const ex& factor) {
-    const bool is_power = GiNaC::is_a<GiNaC::power>(factor);
-    const int exponent = is_power ? GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int() : 1;
-    ex& base = bases.try_emplace(exponent, 1).first->second;
-    base = (base * (is_power ? factor.op(0) : factor)).expand();
-  };
-  if (GiNaC::is_a<GiNaC::mul>(found))
-    for (const ex& factor : found) add(factor);
-  else
-    add(found);
-  ex whole = 1;
+  const SymbolRing ring({polynomial});
+  const FactoredPolynomial found = polynomial_factors(ring.polynomial(polynomial));
+  std::map<unsigned long, Polynomial> bases;
+  for (const auto& [factor, exponent] : found.factors)
+    bases.try_emplace(exponent, ring.ring(), 1).first->second *= factor;
+  ex whole = GiNaC::numeric(found.constant.c_str());
   for (const auto& [exponent, base] : bases)
-    whole *= GiNaC::pow(factored_polynomial(base), exponent);
+    whole *= GiNaC::pow(factored_polynomial(ring.sum(base)), static_cast<int>(exponent));
   return whole;
 }
 
