@@ -130,10 +130,12 @@ class Derive(Case):
 
     def test_ten_runs_give_the_same_bytes(self):
         first, second = self.different()
-        for arguments, status in ((["--catalogue"], 0), ([first, "--equal", second], 1),
-                                  ([first, "--limits", "--sensitivities", "--form", "rational"], 0)):
+        for arguments, status, words in (
+                (["--catalogue"], 0, "Standard linear solid"), ([first, "--equal", second], 1, ""),
+                ([first, "--limits", "--sensitivities", "--form", "rational"], 0, "")):
             outputs = {self.derive(*arguments, status=status) for _ in range(10)}
             self.assertEqual(len(outputs), 1, arguments)
+            self.assertIn(words, outputs.pop(), arguments)
 
     def test_what_is_beyond_the_budget_is_refused_with_its_size(self):
         file = self.contact("a.toml", "prony(k0, k, tau, 40)")
