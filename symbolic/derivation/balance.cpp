@@ -6,6 +6,7 @@
 #include "derivation/factors.hpp"
 #include "formula/prose.hpp"
 #include "formula/symbols.hpp"
+#include "polynomial/symbol_ring.hpp"
 
 namespace vcrit::symbolic {
 
@@ -159,11 +160,10 @@ class BalanceWriter {
   /// The displacement of the contact point over the force on it; friction mu0 du_z K_n acts against
   /// the sliding. What does not vanish with the contact's compliance 1/K_t is the body's part.
   ex receptance(const ex& B) {
-    const ex compliance = quantity("C_t"), contact = n_.K_t;
-    const ex whole = (-B / (n_.mu0 * height_ * n_.K_n)).subs(contact == 1 / compliance).normal();
-    const ex of_body = whole.subs(compliance == 0);
-    const ex of_contact = (whole - of_body).normal().subs(compliance == 1 / contact);
-    return factored(of_contact) + factored(of_body);
+    const ex whole = -B / (n_.mu0 * height_ * n_.K_n), compliance = quantity("C_t");
+    const LowestTerms fraction = lowest_terms(whole.subs(n_.K_t == 1 / compliance));
+    const ex of_body = (fraction.over / fraction.under).subs(compliance == 0);
+    return factored(whole - of_body) + factored(of_body);
   }
 
   /// B with the receptance as a quantity H of its own.

@@ -236,6 +236,8 @@ bool SymbolicModel::unloads_contact(const Change& change) const {
 
 Leading<Factors> SymbolicModel::leading_amplitude(const std::map<std::string, int>& powers,
                                                   const Change& change) const {
+  const auto changes = [](const auto& each) { return each.second != 0; };
+  if (std::none_of(powers.begin(), powers.end(), changes)) return {0, factors(change)};
   if (!change.keeps_letters()) return new_leading_amplitude(powers, change);
   const auto [known, is_new] = leading_.try_emplace({powers, change.rigid});
   if (is_new) known->second = new_leading_amplitude(powers, change);
