@@ -183,7 +183,7 @@ Ex Expressions::sum(std::span<const Ex> terms) {
 
 void Expressions::multiply_into(ItemList& items, SmallFraction& factor, ItemList& under_root,
                                 SmallFraction& root_factor, const Ex& base, int exponent) {
-  factor = factor * shortest::power(base.factor, exponent);
+  if (!base.factor.is_one()) factor = factor * shortest::power(base.factor, exponent);
   const NodeData& data = nodes_[base.node];
   switch (data.kind) {
     case ExpressionKind::one:
@@ -250,21 +250,23 @@ Ex Expressions::root(const Ex& argument) {
   if (argument.is_zero()) return argument;
   SmallFraction inside = argument.factor, outside;
   outside.over = square_part(inside.over), outside.under = square_part(inside.under);
-  std::vector<ExPower> before{{{outside, 0}, 1}}, left;
+  boost::container::small_vector<ExPower, 12> before, left;
+  before.emplace_back(Ex{outside, 0}, 1);
   const NodeData& data = nodes_[argument.node];
   if (data.kind == ExpressionKind::product) {
     for (const Item& item : data.items) {
       const int odd = item.exponent % 2;
       if (item.exponent != odd)
         before.emplace_back(magnitude({{}, item.node}), (item.exponent - odd) / 2);
-      if (odd != 0) left.push_back({{{}, item.node}, odd});
+      if (odd != 0) left.emplace_back(Ex{{}, item.node}, odd);
     }
   } else {
-    left.push_back({{{}, argument.node}, 1});
+    left.emplace_back(Ex{{}, argument.node}, 1);
   }
-  const Ex rest = product(left);
-  if (rest.is_one() && inside.is_one()) return product(before);
-  before.push_back({{{}, make(ExpressionKind::root, std::array{Item{rest.node, 1, inside}})}, 1});
+  const Ex rest = product({left.data(), left.size()});
+  if (rest.is_one() && inside.is_one()) return product({before.data(), before.size()});
+  const ExNode root = make(ExpressionKind::root, std::array{Item{rest.node, 1, inside}});
+  before.emplace_back(Ex{{}, root}, 1);
   // Not by product(), which would take the root apart again.
   ItemList items;
   SmallFraction factor = outside;

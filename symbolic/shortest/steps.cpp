@@ -119,17 +119,19 @@ std::uint32_t Steps::definition(const Ex& meaning) {
 
 std::uint32_t Steps::put(FormulaStep&& step) {
   step.sort_parts();
-  all_.spend(steps_.size() / 16);
   for (std::uint32_t i = 0; i < steps_.size(); ++i) {
     const FormulaStep& old = steps_[i];
     if (old.mask == step.mask && old.kind == step.kind && old.node == step.node &&
-        old.number == step.number && old.exponent == step.exponent && old.parts == step.parts)
+        old.number == step.number && old.exponent == step.exponent && old.parts == step.parts) {
+      all_.spend(steps_.size() / 16);
       return i;
+    }
   }
   return append(std::move(step));
 }
 
 std::uint32_t Steps::append(FormulaStep&& step) {
+  all_.spend(steps_.size() / 16);
   steps_.push_back(std::move(step));
   return static_cast<std::uint32_t>(steps_.size() - 1);
 }
@@ -194,9 +196,8 @@ std::uint32_t Steps::of(ExNode node) {
     case ExpressionKind::one:
       made = number(1);
       break;
-    case ExpressionKind::symbol:  // of which there is no step yet
+    case ExpressionKind::symbol:  // of which there is no step yet, nor of a sum
       step.node = node;
-      all_.spend(steps_.size() / 16);
       made = append(std::move(step));
       break;
     case ExpressionKind::product:
@@ -206,7 +207,8 @@ std::uint32_t Steps::of(ExNode node) {
       step.kind = FormulaStep::Kind::sum;
       for (const Item& item : data.items)
         step.parts.push_back({of(item.factor, item.node), item.factor.negative() ? -1 : 1});
-      made = put(std::move(step));
+      step.sort_parts();
+      made = append(std::move(step));
       break;
     case ExpressionKind::root:
     case ExpressionKind::magnitude:
