@@ -25,7 +25,7 @@ write decimal digits.
 import csv
 from decimal import Decimal
 from fractions import Fraction
-from math import inf, isqrt
+from math import gcd, inf, isqrt
 from pathlib import Path
 
 from mpmath import mp, mpf, nstr
@@ -35,34 +35,50 @@ FILE = Path(__file__).with_suffix(".csv")
 
 
 class Rational:
-    """A complex number of two rational ones."""
+    """A complex number of two rational ones, over one denominator: what they share is divided out once."""
 
-    def __init__(self, re, im=0):
-        self.re, self.im = Fraction(re), Fraction(im)
+    def __init__(self, re, im, below):
+        shared = gcd(re, im, below)
+        self.re, self.im, self.below = re // shared, im // shared, below // shared
 
     def __add__(self, other):
-        return Rational(self.re + other.re, self.im + other.im)
+        return Rational(self.re * other.below + other.re * self.below, self.im * other.below + other.im * self.below,
+                        self.below * other.below)
 
     def __mul__(self, other):
-        return Rational(self.re * other.re - self.im * other.im, self.re * other.im + self.im * other.re)
+        return Rational(self.re * other.re - self.im * other.im, self.re * other.im + self.im * other.re,
+                        self.below * other.below)
 
     def __truediv__(self, other):
-        size = other.square()
-        above = self * Rational(other.re, -other.im)
-        return Rational(above.re / size, above.im / size)
+        return Rational((self.re * other.re + self.im * other.im) * other.below,
+                        (self.im * other.re - self.re * other.im) * other.below, (other.re**2 + other.im**2) * self.below)
+
+    def __bool__(self):
+        return self.re != 0 or self.im != 0
+
+    def real(self):
+        return Fraction(self.re, self.below)
 
     def square(self):
-        return self.re**2 + self.im**2
+        return Fraction(self.re**2 + self.im**2, self.below**2)
 
 
-ZERO = Rational(0)
+def real(x):
+    return Rational(x.numerator, 0, x.denominator)
+
+
+def imaginary(x):
+    return Rational(0, x.numerator, x.denominator)
+
+
+ZERO, ONE = real(0), real(1)
 
 
 def series(*parts):
     whole = parts[0]
     for part in parts[1:]:
         total = whole + part
-        whole = whole * part / total if total.square() else ZERO
+        whole = whole * part / total if total else ZERO
     return whole
 
 
@@ -80,14 +96,14 @@ def bridge(edges):
         ends = sorted(star, key="ACDB".index)
         for i, a in enumerate(ends):
             for b in ends[i + 1:]:
-                mesh = star[a] * star[b] / total if total.square() else ZERO
+                mesh = star[a] * star[b] / total if total else ZERO
                 stiffness[a + b] = stiffness.get(a + b, ZERO) + mesh
     return stiffness["AB"]
 
 
 def stiffness(kind, numbers, w):
     x = [Fraction(float.fromhex(number)) for number in numbers.split(";")]
-    k, c = lambda i: Rational(x[i]), lambda i: Rational(0, w * x[i])
+    k, c = lambda i: real(x[i]), lambda i: imaginary(w * x[i])
     if kind == "kelvin":
         return parallel(k(0), c(1))
     if kind == "maxwell":
@@ -97,8 +113,8 @@ def stiffness(kind, numbers, w):
     if kind == "burgers":
         return series(k(0), c(1), parallel(k(2), c(3)))
     if kind == "prony10":
-        branches = [Rational(0, w * x[10 + j]) for j in range(1, 11)]
-        return parallel(k(0), *[k(j) * y / (Rational(1) + y) for j, y in enumerate(branches, 1)])
+        branches = [imaginary(w * x[10 + j]) for j in range(1, 11)]
+        return parallel(k(0), *[k(j) * y / (ONE + y) for j, y in enumerate(branches, 1)])
     if kind == "ladder10":
         inner = parallel(k(9), c(19))
         for j in reversed(range(9)):
@@ -151,15 +167,15 @@ def answers(row):
     mu0, w, duz, m = (Fraction(float.fromhex(row[name])) for name in ("mu0", "w", "duz", "m"))
     kx, kz, ks = (stiffness(row["kind"], row[name], w) for name in ("kx", "kz", "ks"))
     inertia = m * w * w
-    d = ks + Rational(-inertia)
+    d = ks + real(-inertia)
     n = kx + d
     sizes = [decimal(root(z.square()), 20) for z in (kx, kz, d, n)]
     above = (mu0 * w * duz)**2 * kz.square() * n.square()
     below = kx.square() * d.square()
     kappas = ["nan", "nan"]
-    if d.square() and n.square():
+    if d and n:
         kappas = [short((re + inertia) / root(z.square()))
-                  for re, z in ((ks.re, d), (kx.re + ks.re, n))]
+                  for re, z in ((ks.real(), d), (kx.real() + ks.real(), n))]
     if below == 0:
         return ["undefined" if above == 0 else "pole", "nan" if above == 0 else "inf", "nan" if above == 0 else "inf",
                 *kappas, *sizes]
