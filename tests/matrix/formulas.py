@@ -1,5 +1,6 @@
 """Printed formulas read back: text and LaTeX as numbers, at a scene's values, in many digits."""
 
+import functools
 import json
 import re
 
@@ -25,6 +26,7 @@ class Unknown(Exception):
     """A formula with a name that has no value (yet)."""
 
 
+@functools.cache
 def plain(name):
     """One spelling of a name: k[1], k_{(1)} and K_{n,own} without what only sets them."""
     return re.sub(r"\\mathrm|[\[\](){}_,\\]", "", name)
@@ -45,8 +47,8 @@ class Names(dict):
 
     def __setitem__(self, name, value):
         super().__setitem__(name, value)
-        self.evaluated[name.replace("[", "_at_").rstrip("]").replace("'", PRIME)] = Number(value)
-        self.set_alike[plain("Deltauz" if name == "du_z" else name)] = value
+        self.evaluated[name.replace("[", "_at_").rstrip("]").replace("'", PRIME)] = Number(mp.mpmathify(value))
+        self.set_alike[plain("Deltauz" if name == "du_z" else name)] = Number(mp.mpmathify(value))
 
     def default(self, name, value):
         if name not in self and plain(name) not in self.set_alike:
@@ -61,7 +63,7 @@ class Number:
     """A complex number whose quotient by 0 is infinite, as v* in resonance is."""
 
     def __init__(self, value):
-        self.value = value.value if isinstance(value, Number) else mp.mpmathify(value)
+        self.value = value
 
     def __add__(self, other): return Number(self.value + other.value)
     def __sub__(self, other): return Number(self.value - other.value)
@@ -71,21 +73,38 @@ class Number:
     def __neg__(self): return Number(-self.value)
 
 
+@functools.cache
+def constant(digits):
+    return Number(mp.mpf(digits))
+
+
 FUNCTIONS = {"abs": lambda x: Number(abs(x.value)), "sqrt": lambda x: Number(mp.sqrt(x.value)),
              "Re": lambda x: Number(mp.re(x.value))}
 
-GIVEN = {"__builtins__": {}, "N_": Number, **{f"{name}_of_": function for name, function in FUNCTIONS.items()}}
+GIVEN = {"__builtins__": {}, "N_": constant, **{f"{name}_of_": function for name, function in FUNCTIONS.items()}}
 
 
-def text_value(text, names):
+@functools.cache
+def compiled(text):
+    """As Python takes it."""
     text = text.replace("'", PRIME)
     text = INDEX.sub(r"\1_at_\2", text)
     text = NUMBER.sub(lambda found: f'N_("{found[0]}")', text).replace("^", "**")
     text = re.sub(r"\b(abs|sqrt|Re)\(", r"\1_of_(", text)
+    return compile(text.lstrip(" "), "formula", "eval")
+
+
+def text_value(text, names):
     try:
-        return eval(text, GIVEN, names.evaluated).value
+        return eval(compiled(text), GIVEN, names.evaluated).value
     except (NameError, SyntaxError, TypeError, AttributeError) as error:
         raise Unknown(text) from error
+
+
+@functools.cache
+def tokens_of(text):
+    """Ended by None."""
+    return (*TOKEN.findall(text), None)
 
 
 class Latex:
@@ -93,14 +112,14 @@ class Latex:
     Behind a slash stands one factor."""
 
     def __init__(self, text, names):
-        self.tokens, self.at, self.names = TOKEN.findall(text), 0, names
+        self.tokens, self.at, self.names = tokens_of(text), 0, names
         self.index = None  # of the sum that is being evaluated, and its number
 
     def peek(self):
-        return self.tokens[self.at] if self.at < len(self.tokens) else None
+        return self.tokens[self.at]
 
     def take(self, expected=None):
-        token = self.peek()
+        token = self.tokens[self.at]
         if token is None or (expected and token != expected):
             raise Unknown(f"{token} for {expected}")
         self.at += 1
@@ -165,14 +184,14 @@ class Latex:
         if token == "\\sqrt":
             return FUNCTIONS["sqrt"](self.group())
         if token[0].isdigit():
-            return Number(token)
+            return constant(token)
         return self.symbol(token)
 
     def series(self):
         self.take("_")
         index, first = self.raw().split("=")
         self.take("^")
-        last, begin, total = self.raw(), self.at, Number(0)
+        last, begin, total = self.raw(), self.at, constant("0")
         for number in range(int(first), int(last) + 1):
             self.at, self.index = begin, (index, number)
             total = total + self.product()
@@ -193,7 +212,7 @@ class Latex:
         name = plain(name)
         if name not in self.names.set_alike:
             raise Unknown(name)
-        return Number(self.names.set_alike[name])
+        return self.names.set_alike[name]
 
     def at_number(self, letters):
         if self.index is None:
