@@ -9,15 +9,16 @@
 #include "base/errors.hpp"
 #include "critical/certified.hpp"
 #include "document/findings.hpp"
+#include "document/printed.hpp"
 #include "document/systems/system.hpp"
 #include "formula/algebra_lock.hpp"
 #include "formula/names.hpp"
 #include "scene/scene.hpp"
 #include "support/random_scene.hpp"
 
-namespace {
+namespace vcrit::test {
 
-using namespace vcrit;
+namespace {
 
 // The scenes of hand_forms.csv come from the caller: every rheology, drive and kind of Poisson's
 // ratio.
@@ -37,7 +38,7 @@ double magnitude() {
   return rounded(std::pow(10, std::uniform_real_distribution(-1.0, 1.0)(numbers)));
 }
 
-Scene random_scene(test::RandomScenes& scenes, int i) {
+Scene random_scene(RandomScenes& scenes, int i) {
   Scene scene = scenes.scene(4);
   if (i % 4 == 1) scene.drive = scenes.drive_with_masses(2, scene);
   if (i % 4 == 1 && !scene.mass) scene.mass = Quantity{{"m"}, 1.0};
@@ -61,8 +62,9 @@ Values random_values(const Problem& problem) {
 
 symbolic::Findings findings(const Problem& problem, int i) {
   using symbolic::ResultForm;
-  constexpr std::array forms{ResultForm::shortest, ResultForm::nested,        ResultForm::storage_loss,
-                             ResultForm::rational, ResultForm::dimensionless, ResultForm::expanded};
+  constexpr std::array forms{ResultForm::shortest,      ResultForm::nested,
+                             ResultForm::storage_loss,  ResultForm::rational,
+                             ResultForm::dimensionless, ResultForm::expanded};
   symbolic::DocumentOptions options;
   options.form = forms.at(static_cast<std::size_t>(i) % forms.size());
   options.budget = 100;
@@ -91,11 +93,12 @@ void print(const Problem& problem, int i) {
 
 }  // namespace
 
-/// Reads scenes, each ended by a zero.
-int main() {
+void export_all() {
   int i = 0;
   for (std::string text; std::getline(std::cin, text, '\0'); ++i)
     print(parse_problem(text, "scene " + std::to_string(i)), i);
-  test::RandomScenes scenes(7, 1);
+  RandomScenes scenes(7, 1);
   for (int last = i + random_scenes; i < last; ++i) print(random_scene(scenes, i), i);
 }
+
+}  // namespace vcrit::test

@@ -8,13 +8,15 @@
 #include "derivation/scenes.hpp"
 #include "document/findings.hpp"
 #include "document/print.hpp"
+#include "document/printed.hpp"
 #include "emit/generate.hpp"
 #include "formula/text.hpp"
 
+namespace vcrit::test {
+
 namespace {
 
-void print_derivation(const vcrit::Problem& scene) {
-  using namespace vcrit;
+void print_derivation(const Problem& scene) {
   using symbolic::Format;
   const symbolic::Findings all = symbolic::findings_of(scene, {Format::text, true, true});
   for (const Format format : {Format::text, Format::latex, Format::markdown, Format::html})
@@ -37,17 +39,14 @@ void print_derivation(const vcrit::Problem& scene) {
 
 }  // namespace
 
-int main() {
-  using namespace vcrit;
-  using test::scene_of;
+void print_all() {
   for (const Scene& scene :
-       {test::kelvin_scene(),
-        scene_of("normal = \"k0 | (k1 - c1)\"\npoisson = 0.3", "kd | cd", "m"),
+       {kelvin_scene(), scene_of("normal = \"k0 | (k1 - c1)\"\npoisson = 0.3", "kd | cd", "m"),
         scene_of("normal = \"burgers(k1, c1, k2, c2)\"\npoisson = \"nu\"", "kd", "m"),
         scene_of("normal = \"prony(k0, k, tau, 10)\"\ntangential = \"prony(k1, kt, taut, 2)\"",
                  "kd"),
-        scene_of("normal = \"bridge\"\ntangential = \"kt | ct\"", "kd", "m", test::bridge_network),
-        scene_of("normal = \"bridge\"\ntangential_ratio = 0.7", "", "", test::bridge_network)}) {
+        scene_of("normal = \"bridge\"\ntangential = \"kt | ct\"", "kd", "m", bridge_network),
+        scene_of("normal = \"bridge\"\ntangential_ratio = 0.7", "", "", bridge_network)}) {
     print_derivation(scene);
     const symbolic::Derivation derivation = symbolic::derive(scene);
     std::cout << symbolic::emit_header(derivation, "scene")
@@ -65,3 +64,5 @@ int main() {
                             "k2 - (mass(m2) | k3 | c3 | (k4 - mass(m4)))", "m"));
   print_derivation(read_scene(VCRIT_SCENES "/measured_drive.toml"));
 }
+
+}  // namespace vcrit::test

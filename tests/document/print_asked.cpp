@@ -10,14 +10,16 @@
 
 #include "document/findings.hpp"
 #include "document/print.hpp"
+#include "document/printed.hpp"
 #include "formula/algebra_lock.hpp"
 #include "formula/names.hpp"
 #include "problem/problem.hpp"
 #include "record/json_text.hpp"
 
+namespace vcrit::test {
+
 namespace {
 
-using namespace vcrit;
 using symbolic::Format;
 using symbolic::ResultForm;
 
@@ -63,7 +65,7 @@ nlohmann::ordered_json documents(const Problem& problem, const nlohmann::ordered
 
 }  // namespace
 
-int main() {
+void print_asked() {
   std::string file;  // most scenes are asked for in several forms, one after the other
   std::optional<Problem> problem;
   for (std::string line; std::getline(std::cin, line);) {
@@ -72,3 +74,5 @@ int main() {
     std::cout << documents(*problem, asked).dump() << '\n';
   }
 }
+
+}  // namespace vcrit::test

@@ -17,7 +17,7 @@ from asked_documents import documents
 from example_scenes import with_formula
 from program import PROGRAM, PROJECT, Case
 
-PRINT_ASKED = sys.argv.pop(1)
+PRINT_DOCUMENTS = sys.argv.pop(1)
 KATEX = "/usr/share/javascript/katex/katex.js"
 HERE = Path(__file__).resolve().parent
 
@@ -56,7 +56,7 @@ def formulas(text, form):
 
 def derived(asked, formats=None):
     """{format: document} of each (scene, form), with limits and sensitivities."""
-    return documents(PRINT_ASKED, [{"scene": str(scene), "form": form, "limits": True, "sensitivities": True,
+    return documents(PRINT_DOCUMENTS, [{"scene": str(scene), "form": form, "limits": True, "sensitivities": True,
                                     "formats": formats or FORMATS[form]} for scene, form in asked])
 
 

@@ -21,7 +21,7 @@ import systems
 from program import Case, rows, run, scene
 from rounded import Rounded
 
-EXPORT_ALL = sys.argv.pop(1)
+PRINT_DOCUMENTS = sys.argv.pop(1)
 mp.mp.dps = 40
 # v* is rounded correctly, once; what is computed in 40 digits has none to add.
 ROUNDED = 2.0**-53 * 1.001
@@ -31,7 +31,7 @@ FORMATS = ("sympy", "mathematica", "maple", "maxima", "mathml", "c")
 def exported():
     """Every other row of the table; the program adds 92 random scenes."""
     scenes = [row["scene"].replace("poisson = 0.3", "poisson = 0.3125") for row in rows("hand_forms.csv", 216)[::2]]
-    done = subprocess.run([EXPORT_ALL], input="".join(scene + "\0" for scene in scenes), capture_output=True, text=True,
+    done = subprocess.run([PRINT_DOCUMENTS, "exported"], input="".join(scene + "\0" for scene in scenes), capture_output=True, text=True,
                           check=True, timeout=300)
     return [json.loads(line) for line in done.stdout.splitlines()]
 

@@ -7,7 +7,7 @@ import formulas
 from cells import FOLDER, KINDS, REFERENCES, refusal, run, scene
 from asked_documents import documents
 
-PRINT_ASKED = sys.argv.pop(1)
+PRINT_DOCUMENTS = sys.argv.pop(1)
 TURNS = 12  # of which the command has one: some three cells of each kind, and six of each column
 
 
@@ -19,7 +19,7 @@ def printed_by_library(columns):
             if refusal(kind, column) is None:
                 _, form, form_of_text = column.split("/")
                 asked.setdefault((kind, form), []).append(form_of_text)
-    found = documents(PRINT_ASKED, [{"scene": scene(kind), "form": form, "formats": formats}
+    found = documents(PRINT_DOCUMENTS, [{"scene": scene(kind), "form": form, "formats": formats}
                                     for (kind, form), formats in asked.items()], cwd=FOLDER / "kinds", timeout=600)
     return {(kind, f"derive/{form}/{each}"): text
             for (kind, form), texts in zip(asked, found, strict=True) for each, text in texts.items()}

@@ -9,7 +9,7 @@ import subprocess
 def documents(program, asked, **options):
     """[{format: text}] of each {"scene", "form", "limits", "sensitivities", "formats"}."""
     lines = "".join(json.dumps(each) + "\n" for each in asked)
-    done = subprocess.run([program], input=lines, capture_output=True, text=True, **options)
+    done = subprocess.run([program, "asked"], input=lines, capture_output=True, text=True, **options)
     if done.returncode != 0:
         raise AssertionError(f"print_asked: status {done.returncode}: {done.stderr}")
     return [json.loads(line) for line in done.stdout.splitlines()]
