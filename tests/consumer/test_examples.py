@@ -1,7 +1,6 @@
 """What the examples print, against values that do not come from vcrit.
 
-    test_examples.py PROJECT FOLDER     FOLDER holds the programs, built in the project or against the
-                                        installed package
+    test_examples.py PROJECT FOLDER     FOLDER holds the programs (test_package.py builds them)
 """
 
 import math

@@ -208,8 +208,11 @@ class Package(unittest.TestCase):
         for program in self.compiled(source, "vcrit"):
             self.check_page(program)
 
+    # Optimised and without warnings, as they would be in the project.
     def test_examples_build_against_it(self):
-        build = self.built("examples", f"{PROJECT}/examples")
+        flags = f"{FLAGS} -Wall -Wextra -Wconversion -Wshadow -Werror"
+        build = self.built("examples", f"{PROJECT}/examples", "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_C_FLAGS={flags}",
+                           f"-DCMAKE_CXX_FLAGS={flags}")
         done(sys.executable, "-B", HERE / "test_examples.py", PROJECT, build)
 
     def test_names_no_place(self):

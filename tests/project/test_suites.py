@@ -64,7 +64,7 @@ class Suites(unittest.TestCase):
     def test_have_the_projects_folder_only_to_read_sources(self):
         rooms = {name.split("/")[0] for name, command in entries().items() if str(PROJECT) in command}
         self.assertIn("project", rooms)
-        self.assertLessEqual(rooms, {"consumer", "examples", "project"})
+        self.assertLessEqual(rooms, {"consumer", "project"})
 
     # tests/support/table.hpp
     def test_count_the_rows_of_tables(self):

@@ -26,7 +26,7 @@ WORDS = sys.argv[2:]
 PASSED, OUTCOMES = BUILD / "passed.json", BUILD / "Testing/outcomes.xml"
 # Read by C++ tests, by rooms of whatever name.
 ALL_READ = ("scenes", "symbolic/emit/languages", "tests/data", "tests/languages", "tests/support", "bench")
-READ_SOURCES = ("consumer", "examples", "mutation", "project")  # rooms whose scripts do
+READ_SOURCES = ("consumer", "mutation", "project")  # rooms whose scripts do
 # In the build: what tests, ninja and ctest themselves write, and what is linked into something else.
 WRITTEN = re.compile(r"(Testing|compilers|mypy_cache|same_bytes|CMakeFiles)/|\.ninja_|passed\.json|install_manifest|commit\.cpp")
 VARIABLES = re.compile(r"PATH|HOME|TMPDIR|TZ|LANG|LC_|LD_|PYTHON|VCRIT|(CC|CXX)$|C\w*FLAGS|CPATH|C\w*_PATH|LIBRARY_PATH|OMP|"
