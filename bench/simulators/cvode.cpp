@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/constants.hpp"
+#include "linear/orthogonal.hpp"
 
 namespace vcrit::simulators {
 
@@ -153,8 +154,18 @@ MatrixXd CvodeSearch::derivative(const VectorXd& y, const VectorXd& change) {
   return result;
 }
 
+// Along slow branches the map is singular to rounding.
+VectorXd shortest_solution(const MatrixXd& a, const VectorXd& right) {
+  const linear::SingularValues parts = linear::singular_values(a);
+  const double least = 1e-15 * parts.sizes(0);
+  VectorXd turned = parts.u.transpose() * right;
+  for (Index i = 0; i < turned.size(); ++i)
+    turned(i) = parts.sizes(i) > least ? turned(i) / parts.sizes(i) : 0;
+  return parts.v * turned;
+}
+
 bool CvodeSearch::improve(VectorXd& y, Return& now, const MatrixXd& map) {
-  const VectorXd step = map.completeOrthogonalDecomposition().solve(-now.change);
+  const VectorXd step = shortest_solution(map, -now.change);
   for (double share = 1; share > 0.05; share /= 2) {
     const VectorXd next = y + share * step;
     const Return there = period_from(next);

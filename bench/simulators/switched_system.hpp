@@ -14,7 +14,7 @@
 // A massless body has F_d = F in place of Newton's law, solved in the same two ways.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "simulation/system/steady_state.hpp"
 #include "simulation/system/system.hpp"
