@@ -33,10 +33,14 @@ double chance_of_mean(const StiffnessTable& data, double sign) {
   return cdf(complement(student, sum / rows / (scatter / std::sqrt(rows))));
 }
 
+double chance_of_misfit(double sum_of_squares, int degrees) {
+  return boost::math::gamma_q(degrees / 2.0, sum_of_squares / 2);
+}
+
 double chance_of_fall(double before, double after, int more, int degrees, bool errors_known) {
   if (!(after < before)) return 1;
   if (more == 0) return 0;
-  if (errors_known) return boost::math::gamma_q(more / 2.0, (before - after) / 2);
+  if (errors_known) return chance_of_misfit(before - after, more);
   return boost::math::ibeta(degrees / 2.0, more / 2.0, after / before);
 }
 

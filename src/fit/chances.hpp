@@ -6,6 +6,10 @@
 
 namespace vcrit::fit {
 
+/// The chance that noise alone makes a sum of squares of so many degrees of freedom so large, each
+/// over its known error: chi-squared distributed.
+double chance_of_misfit(double sum_of_squares, int degrees);
+
 /// The chance that `more` further parameters lower a sum of squares from `before` to `after` by
 /// noise alone; `degrees`: of freedom after. With known errors the fall is chi-squared distributed,
 /// else its ratio to the rest is F distributed.

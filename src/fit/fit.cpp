@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 
 #include "base/constants.hpp"
@@ -188,8 +187,7 @@ class Fitting {
     const int nu = degrees(chosen_);
     const double from_misfit = std::sqrt(chosen_.sum_of_squares / nu);
     if (!data_.errors_known()) return from_misfit * widening(nu);
-    const bool explained =
-        boost::math::gamma_q(nu / 2.0, chosen_.sum_of_squares / 2) >= significance;
+    const bool explained = chance_of_misfit(chosen_.sum_of_squares, nu) >= significance;
     return explained ? 1 : std::max(1.0, from_misfit);
   }
 
@@ -232,7 +230,7 @@ class Fitting {
     fit.rms_relative = rms_relative();
     fit.error_unit = scale_of_errors();
     if (data_.errors_known())
-      fit.chance = boost::math::gamma_q(fit.degrees_of_freedom / 2.0, fit.sum_of_squares / 2);
+      fit.chance = chance_of_misfit(fit.sum_of_squares, fit.degrees_of_freedom);
     else
       fit.noise = std::sqrt(fit.sum_of_squares / fit.degrees_of_freedom);
     fit.trials = trials_;
