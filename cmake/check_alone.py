@@ -16,6 +16,7 @@ uses there, not again in each file. The build compiles the same files by g++, wi
 
 import collections
 import concurrent.futures
+import functools
 import hashlib
 import itertools
 import json
@@ -60,7 +61,13 @@ def split(words):
             folders.append((word,))
         else:
             (macros if word.startswith("-D") else others).append(word)
-    return macros, folders, others
+    return macros, tuple(folders), others
+
+
+@functools.cache
+def searched_for_own(folders):
+    """One object for all files that search the same, as caches are asked with it: comparing folders takes long."""
+    return tuple(Path(folder[0][2:]) for folder in folders if len(folder) == 1)
 
 
 def folder_of(file):
@@ -73,7 +80,7 @@ class Item:
     def __init__(self, file, entry, headers):
         self.file, self.entry, self.chosen, self.set = file, entry, 0, None
         self.macros, self.folders, self.options = split(entry["words"])
-        searched = tuple(Path(folder[0][2:]) for folder in self.folders if len(folder) == 1)
+        searched = searched_for_own(self.folders)
         self.before = headers.before(file, searched)
         self.begun = headers.beginning(file, searched)
         self.read = headers.read(file, searched)

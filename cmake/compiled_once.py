@@ -52,9 +52,11 @@ class Headers:
 
     @functools.cache
     def includes(self, file):
-        """Quotation mark or bracket, and name, of each unconditional include."""
+        """Quotation mark or bracket, and name, of each unconditional include before a macro may say how one is read."""
         found, conditions = [], 0
-        for directive in re.finditer(r'^\s*#\s*(if|endif|include\s*([<"])(.*)[>"])', self.text(file), re.M):
+        for directive in re.finditer(r'^\s*#\s*(if|endif|define|include\s*([<"])(.*)[>"])', self.text(file), re.M):
+            if directive[1] == "define":
+                break
             conditions += {"if": 1, "endif": -1}.get(directive[1], 0)
             if directive[2] and conditions == 0:
                 found.append((directive[2], directive[3]))
@@ -73,23 +75,21 @@ class Headers:
         return self.own(file, name, searched) if mark == '"' and first[1] == "include" else None
 
     @functools.cache
-    def named(self, file):
-        """What it includes in whatever case, and None for what a macro names."""
-        found = re.findall(r'^\s*#\s*include\s*(?:[<"](.*)[>"]|\S+)', self.text(file), re.M)
-        return [name or None for name in found]
+    def named(self, file, searched):
+        """The headers of the project that it includes in whatever case, or None if a macro names what it includes."""
+        names = re.findall(r'^\s*#\s*include\s*(?:[<"](.*)[>"]|\S+)', self.text(file), re.M)
+        return {self.own(file, name, searched) for name in names} - {None} if all(names) else None
 
     @functools.cache
     def read(self, file, searched):
         """All files of the project that the compiler may read for it, or none if an include is named by a macro."""
         found, left = {file}, [file]
         while left:
-            file = left.pop()
-            named = self.named(file)
-            if None in named:
+            named = self.named(left.pop(), searched)
+            if named is None:
                 return []
-            new = {self.own(file, name, searched) for name in named} - found - {None}
-            found |= new
-            left += new
+            left += named - found
+            found |= named
         return sorted(found)
 
     @functools.cache
@@ -111,19 +111,21 @@ class Headers:
 
     @functools.cache
     def before(self, file, searched):
-        """What may stand before it: nothing if it says how something is to be read."""
-        return 0 if re.search(r"^\s*#\s*define", self.text(file), re.M) else self.below(file, searched)[0]
+        """What may stand before it."""
+        return self.below(file, searched)[0]
 
     @functools.cache
     def weight(self, headers):
         return sum(self.weights[place] for place in self.places(headers))
 
     def places(self, headers):
-        return [place for place, digit in enumerate(reversed(bin(headers)[2:])) if digit == "1"]
+        while headers:
+            yield headers.bit_length() - 1
+            headers ^= 1 << headers.bit_length() - 1
 
     def lines(self, headers):
         """Others first, since each of the project is known to need nothing before it."""
-        names = [self.names[place] for place in self.places(headers)]
+        names = [self.names[place] for place in sorted(self.places(headers))]
         others = [f"#include <{name}>\n" for name in names if isinstance(name, str)]
         return others + [f'#include "{name}"\n' for name in names if not isinstance(name, str)]
 
@@ -147,8 +149,8 @@ def sets_for(befores, weight):
     within = {each: [file for file, before in enumerate(befores) if each & ~before == 0] for each in candidates(befores)}
 
     def gain(headers):
-        less = sum(max(0, weight(headers) - weight(taken[file])) for file in within[headers])
-        return SAVED * less - SET - weight(headers)
+        whole = weight(headers)
+        return SAVED * sum(whole - taken[file] for file in within[headers] if taken[file] < whole) - SET - whole
 
     left = [(-gain(each), each) for each in within]
     heapq.heapify(left)
@@ -160,8 +162,7 @@ def sets_for(befores, weight):
         elif now > 0:
             chosen.append(headers)
             for file in within[headers]:
-                taken[file] = max(taken[file], headers, key=weight)
+                taken[file] = max(taken[file], weight(headers))
         else:
             break
     return chosen
-
