@@ -60,42 +60,34 @@ class SteppedChain {
 };
 
 /// Masses over one step: x_theta = (1 - theta h A)^-1 (x_0 + theta h F push), so that the velocity
-/// of the body's end is end.x_0 - give F, in the frame of the far end.
+/// of the body's end is its own without F less give F, in the frame of the far end.
 struct SteppedMasses {
   SteppedMasses(const DrivenMasses& masses, double step, double implicit)
-      : theta(implicit),
-        kept(linear::Lu<double>(
-                 Eigen::MatrixXd::Identity(masses.matrix().rows(), masses.matrix().cols()) -
-                 theta * step * masses.matrix())
-                 .inverse()),
-        pushed(theta * step * kept * masses.push()),
-        give(-masses.end_velocity(pushed.data())),
-        taken(static_cast<std::size_t>(kept.cols())) {
-    for (Eigen::Index j = 0; j < kept.cols(); ++j)
-      end.push_back(masses.end_velocity(kept.col(j).data()));
+      : theta(implicit), kept(masses.matrix().rows() + 1, masses.matrix().cols()) {
+    const Eigen::Index n = kept.cols();
+    kept.topRows(n) =
+        linear::Lu<double>(Eigen::MatrixXd::Identity(n, n) - theta * step * masses.matrix())
+            .inverse();
+    pushed = theta * step * kept.topRows(n) * masses.push();
+    give = -masses.end_velocity(pushed.data());
+    for (Eigen::Index j = 0; j < n; ++j) kept(n, j) = masses.end_velocity(kept.col(j).data());
   }
 
-  double velocity(const double* x) const {
-    double sum = 0;
-    for (std::size_t j = 0; j < end.size(); ++j) sum += end[j] * x[j];
-    return sum;
+  /// Without F. The lazy product adds up each row in one register, column by column.
+  double velocity(const double* x) {
+    free.noalias() = kept.lazyProduct(Eigen::Map<const Eigen::VectorXd>(x, kept.cols()));
+    return free(kept.cols());
   }
-  // x_1 = x_0 + (x_theta - x_0)/theta.
-  void take(double* x, double force) {
-    std::fill(taken.begin(), taken.end(), 0);
-    for (std::size_t j = 0; j < taken.size(); ++j) {
-      const double* column = kept.data() + j * taken.size();
-      for (std::size_t i = 0; i < taken.size(); ++i) taken[i] += column[i] * x[j];
-    }
-    for (std::size_t i = 0; i < taken.size(); ++i)
-      x[i] += (taken[i] + force * pushed(static_cast<Eigen::Index>(i)) - x[i]) / theta;
+  /// x_1 = x_0 + (x_theta - x_0)/theta, after the velocity.
+  void take(double* x, double force) const {
+    for (Eigen::Index i = 0; i < kept.cols(); ++i)
+      x[i] += (free(i) + force * pushed(i) - x[i]) / theta;
   }
 
   double theta;
-  Eigen::MatrixXd kept;
-  Eigen::VectorXd pushed;
-  double give;
-  std::vector<double> end, taken;  ///< taken: room for a step
+  Eigen::MatrixXd kept;  ///< of x_0 in x_theta and, below, in the velocity
+  Eigen::VectorXd pushed, free;
+  double give = 0;
 };
 
 class Stepper {
@@ -185,7 +177,7 @@ class Stepper {
 
   /// The force that would hold the body's end still, without the contact.
   template <Above above>
-  double unloaded(const double* y, double resistance) const {
+  double unloaded(const double* y, double resistance) {
     if constexpr (above == Above::masses)
       return resistance * (equations_.velocity + masses_->velocity(y));
     return inertia_ * y[0] + from_drive_.offset(y + 1) + from_drive_.slope * equations_.velocity;
