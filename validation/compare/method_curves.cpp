@@ -36,10 +36,9 @@ std::string setting(Method method, const simulation::MethodOptions& options) {
 }
 
 MethodPoint method_point(Method method, const simulation::System& system, double threshold,
-                         double ratio) {
+                         double ratio, double exact) {
   MethodPoint result;
   result.ratio = ratio;
-  const double exact = simulation::steady_state(system, ratio * threshold).friction_ratio;
   try {
     const auto state =
         simulation::steady_state(method, system, ratio * threshold, affordable(system));
@@ -54,12 +53,15 @@ MethodPoint method_point(Method method, const simulation::System& system, double
 }  // namespace
 
 std::vector<MethodCurve> method_curves(const simulation::System& system, double threshold) {
+  std::vector<double> exact;
+  for (const double ratio : method_ratios)
+    exact.push_back(simulation::steady_state(system, ratio * threshold).friction_ratio);
   std::vector<MethodCurve> curves;
   for (const Method method : simulation::all_methods()) {
     if (is_large(system) && (method == Method::msbdf || method == Method::tanh)) continue;
     MethodCurve curve{to_text(method), setting(method, affordable(system)), {}};
-    for (const double ratio : method_ratios)
-      curve.points.push_back(method_point(method, system, threshold, ratio));
+    for (std::size_t i = 0; i < exact.size(); ++i)
+      curve.points.push_back(method_point(method, system, threshold, method_ratios[i], exact[i]));
     if (std::any_of(curve.points.begin(), curve.points.end(),
                     [](const MethodPoint& one) { return one.reason.empty(); }))
       curves.push_back(std::move(curve));
