@@ -34,6 +34,13 @@ namespace {
 
 const Derivation zener = symbolic::derive(read_scene(VCRIT_SCENES "/zener.toml"));
 
+/// Without the curves of other methods, which no comparison is made of.
+Witnesses compared_witnesses() {
+  Witnesses witnesses = own_witnesses();
+  witnesses.curves = [](const simulation::System&, double) { return std::vector<MethodCurve>(); };
+  return witnesses;
+}
+
 SceneReport heard(const Witnesses& witnesses, const Derivation& derivation,
                   const Derivation& formula) {
   Driver driver(derivation);
@@ -73,7 +80,7 @@ double with_a_flipped_sign(const Problem& problem) {
 /// Eq. 24 and the harmonic balance, off by so many thousandths; formula_off_by: as derived.
 Witnesses balance_off_by(int thousandths) {
   const double fault = 1 + 1e-3 * thousandths;
-  Witnesses witnesses = own_witnesses();
+  Witnesses witnesses = compared_witnesses();
   witnesses.certified = [fault](const Problem& problem) {
     CertifiedVelocity result = certified_critical_velocity(problem);
     result.value *= fault;
@@ -105,7 +112,7 @@ BOOST_AUTO_TEST_CASE(without_a_fault_nothing_is_red) {
 }
 
 BOOST_AUTO_TEST_CASE(a_flipped_sign_in_the_formula_is_red) {
-  Witnesses witnesses = own_witnesses();
+  Witnesses witnesses = compared_witnesses();
   witnesses.formula = with_a_flipped_sign;
   check_red(heard(witnesses), {"formula", "evaluators"});
 }
@@ -114,12 +121,12 @@ BOOST_AUTO_TEST_CASE(a_flipped_sign_in_the_derivation_is_red) {
   Derivation formula = zener;
   const GiNaC::ex kd = symbolic::symbol({"kd", 0});
   formula.critical_velocity = formula.critical_velocity.subs(kd == -kd);
-  check_red(heard(own_witnesses(), zener, formula), {"derived", "evaluators"});
+  check_red(heard(compared_witnesses(), zener, formula), {"derived", "evaluators"});
 }
 
 // A thousandth is far above what any plotting width shows.
 BOOST_AUTO_TEST_CASE(a_reduced_stiffness_in_the_simulator_is_red) {
-  Witnesses witnesses = own_witnesses();
+  Witnesses witnesses = compared_witnesses();
   witnesses.system = [](const Problem& problem) {
     simulation::System system = simulation::system_of(problem);
     system.contact = scaled(system.contact, 0.999);
@@ -140,7 +147,7 @@ BOOST_AUTO_TEST_CASE(a_fault_in_formula_and_harmonic_balance_is_red) {
   for (const char* file : {VCRIT_SCENES "/sonotrode.toml",
                            VCRIT_TEST_DATA "/../matrix/kinds/drive_graph_masses.toml"}) {
     const Derivation scene = symbolic::derive(read_scene(file));
-    BOOST_TEST(passed(heard(own_witnesses(), scene)));
+    BOOST_TEST(passed(heard(compared_witnesses(), scene)));
     check_red(heard(balance_off_by(2), scene, formula_off_by(2, scene)), red);
   }
 }
@@ -152,7 +159,7 @@ BOOST_AUTO_TEST_CASE(without_a_march_the_same_fault_is_red) {
        {VCRIT_SCENES "/measured_drive.toml", VCRIT_TEST_DATA "/../matrix/kinds/lossy.toml"}) {
     const Derivation scene = symbolic::derive(read_scene(file));
     BOOST_TEST_CONTEXT(file) {
-      const SceneReport right = heard(own_witnesses(), scene);
+      const SceneReport right = heard(compared_witnesses(), scene);
       BOOST_TEST(passed(right));
       BOOST_TEST((outcome(*std::ranges::find(right.comparisons, "periodic", &Comparison::key)) ==
                   Comparison::Outcome::passed));
@@ -173,7 +180,7 @@ BOOST_AUTO_TEST_CASE(below_an_indenter_the_same_fault_is_red) {
     BOOST_TEST_CONTEXT(file) {
       const Derivation scene =
           symbolic::derive(read_scene(VCRIT_TEST_DATA "/../matrix/kinds" + std::string(file)));
-      BOOST_TEST(passed(heard(own_witnesses(), scene)));
+      BOOST_TEST(passed(heard(compared_witnesses(), scene)));
       check_red(heard(balance_off_by(2), scene, formula_off_by(2, scene)),
                 {"generated", "generated_batch", "generated_fast", "generated_certified",
                  "simulation", "evaluators", "marched"});
@@ -184,7 +191,7 @@ BOOST_AUTO_TEST_CASE(below_an_indenter_the_same_fault_is_red) {
 BOOST_AUTO_TEST_CASE(a_fault_in_the_half_space_is_red) {
   const Derivation scene =
       symbolic::derive(read_scene(VCRIT_TEST_DATA "/../matrix/kinds/indenter_elastic.toml"));
-  Witnesses witnesses = own_witnesses();
+  Witnesses witnesses = compared_witnesses();
   witnesses.half_space = [](const Problem& right) {
     const Symbol& friction = right->coefficient.symbol;
     return indenter::HalfSpace(right.with({{friction, 0.998 * right.values().at(friction)}}));
@@ -206,7 +213,7 @@ BOOST_AUTO_TEST_CASE(a_fault_below_an_indenter_on_a_drive_is_red) {
     const Problem scene =
         read_problem(fault ? VCRIT_TEST_DATA "/../matrix/kinds/indenter_drive.toml"
                            : VCRIT_SCENES "/leaf_spring.toml");
-    Witnesses witnesses = own_witnesses();
+    Witnesses witnesses = compared_witnesses();
     if (fault)
       witnesses.half_space = [](const Problem& of) {
         const Symbol& friction = of->coefficient.symbol;
@@ -224,7 +231,7 @@ BOOST_AUTO_TEST_CASE(a_fault_below_an_indenter_on_a_drive_is_red) {
 
 BOOST_AUTO_TEST_CASE(a_speed_of_zero_or_infinity_that_is_none_is_red) {
   for (const double wrong : {0.0, std::numeric_limits<double>::infinity()}) {
-    Witnesses witnesses = own_witnesses();
+    Witnesses witnesses = compared_witnesses();
     witnesses.certified = [wrong](const Problem&) { return CertifiedVelocity{wrong, 0, {}}; };
     const SceneReport report = heard(witnesses);
     BOOST_TEST((outcome(*std::ranges::find(report.comparisons, "periodic", &Comparison::key)) ==
@@ -232,7 +239,7 @@ BOOST_AUTO_TEST_CASE(a_speed_of_zero_or_infinity_that_is_none_is_red) {
   }
   for (const char* file : {"/antiresonance.toml", "/resonance.toml"}) {
     const SceneReport report =
-        heard(own_witnesses(),
+        heard(compared_witnesses(),
               symbolic::derive(read_scene(VCRIT_TEST_DATA "/../matrix/kinds" + std::string(file))));
     BOOST_TEST((outcome(*std::ranges::find(report.comparisons, "periodic", &Comparison::key)) ==
                 Comparison::Outcome::passed));
@@ -242,13 +249,13 @@ BOOST_AUTO_TEST_CASE(a_speed_of_zero_or_infinity_that_is_none_is_red) {
 // Its body swings freely at twice the frequency: friction is full from 0.707 of Eq. 24 on.
 BOOST_AUTO_TEST_CASE(a_border_that_is_not_that_of_the_formula_is_red) {
   const Scene free_swing = read_scene(VCRIT_TEST_DATA "/undamped/undamped_harmonic_2.toml");
-  check_red(heard(own_witnesses(), symbolic::derive(free_swing)), {"balance"});
+  check_red(heard(compared_witnesses(), symbolic::derive(free_swing)), {"balance"});
 }
 
 // What a report allows a v* that is computed again, by motion or by another start, is no more than
 // the digits that it says it may lose.
 BOOST_AUTO_TEST_CASE(a_simulated_velocity_off_by_a_hundred_millionth_is_red) {
-  Witnesses witnesses = own_witnesses();
+  Witnesses witnesses = compared_witnesses();
   witnesses.system = [](const Problem& problem) {
     simulation::System system = simulation::system_of(problem);
     system.friction *= 1 + 1e-8;
@@ -272,15 +279,14 @@ BOOST_AUTO_TEST_CASE(near_resonance_right_is_green_and_a_fault_is_red) {
                       .indentation = 5e-7,
                       .coefficient = 0.3,
                       .elements = {{"kn", 1e7}, {"kt", 8e6}, {"kd", 10000010}, {"cd", 1e-5}}}));
-  Witnesses witnesses = own_witnesses();
-  // A body that rings for millions of periods: other methods would march for long to say nothing.
+  Witnesses witnesses = compared_witnesses();
+  // A body that rings for millions of periods: another method would march for long to say nothing.
   witnesses.march = [](const Border&, const simulation::System&) {
     Comparison comparison;
     comparison.key = "marched";
     comparison.not_run = true;
     return comparison;
   };
-  witnesses.curves = [](const simulation::System&, double) { return std::vector<MethodCurve>(); };
   BOOST_TEST(passed(heard(witnesses, near)));
   witnesses.system = [](const Problem& problem) {
     simulation::System system = simulation::system_of(problem);
@@ -305,7 +311,7 @@ BOOST_AUTO_TEST_CASE(an_evaluator_off_by_a_hundred_millionth_is_red) {
   std::filesystem::permissions(folder.path() / "g++", std::filesystem::perms::owner_all);
   const std::string path = std::getenv("PATH");
   setenv("PATH", (folder.path().string() + ":" + path).c_str(), 1);
-  const SceneReport report = heard(own_witnesses());
+  const SceneReport report = heard(compared_witnesses());
   setenv("PATH", path.c_str(), 1);
   check_red(report, {"generated", "generated_fast", "evaluators"});
 }
