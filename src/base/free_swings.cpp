@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -41,15 +42,46 @@ constexpr Real close_enough = 1e-12L, worst_width = 1e-9L;
 constexpr Real anywhere = 1;
 // Some 15 for each swing are usual.
 constexpr int most_exchanges = 3000;
-// Two seconds; each swing is a mass more that is tuned to a harmonic.
+// Half a second; each swing is a mass more that is tuned to a harmonic.
 constexpr std::size_t most_swings = 9;
+
+// cos n t and sin n t, n = 1 and the harmonics in their order.
+struct Wave {
+  Real cosine = 0, sine = 0;
+};
+using Waves = std::vector<Wave>;
+
+// Each summit of one program is looked for at the same middles of intervals: what is to be done
+// there is a sum, once cosines are known.
+class KnownWaves {
+ public:
+  explicit KnownWaves(const std::vector<int>& harmonics) : orders_{1} {
+    orders_.insert(orders_.end(), harmonics.begin(), harmonics.end());
+  }
+
+  const Reals& orders() const { return orders_; }
+  Waves at(Real t) const {
+    Waves result;
+    for (const Real n : orders_) result.push_back({std::cos(n * t), std::sin(n * t)});
+    return result;
+  }
+  const Waves& kept(Real t) {
+    Waves& found = kept_[t];
+    if (found.empty()) found = at(t);
+    return found;
+  }
+
+ private:
+  Reals orders_;
+  std::map<Real, Waves> kept_;
+};
 
 // f(t) = cos t + sum a_n cos n t.
 class Swings {
  public:
-  Swings(const std::vector<int>& harmonics, const Reals& amplitudes) : terms_{{1, 1}} {
-    for (std::size_t i = 0; i < harmonics.size(); ++i)
-      terms_.push_back({static_cast<Real>(harmonics[i]), amplitudes[i]});
+  Swings(const Reals& orders, const Reals& amplitudes) : terms_{{1, 1}} {
+    for (std::size_t i = 0; i < amplitudes.size(); ++i)
+      terms_.push_back({orders[i + 1], amplitudes[i]});
   }
 
   Real fastest() const {
@@ -61,12 +93,13 @@ class Swings {
   struct Point {
     Real value = 0, slope = 0, curvature = 0;
   };
-  Point at(Real t) const {
+  Point at(const Waves& waves) const {
     Point point;
-    for (const auto& [n, a] : terms_) {
-      const Real swing = a * std::cos(n * t);
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
+      const auto& [n, a] = terms_[i];
+      const Real swing = a * waves[i].cosine;
       point.value += swing;
-      point.slope -= a * n * std::sin(n * t);
+      point.slope -= a * n * waves[i].sine;
       point.curvature -= n * n * swing;
     }
     return point;
@@ -90,7 +123,8 @@ class Swings {
 // found are left out; one in which f is concave has one maximum, others are halved.
 class Summit {
  public:
-  explicit Summit(const Swings& f) : f_(f), second_(f.bound(2)), third_(f.bound(3)) {
+  Summit(const Swings& f, KnownWaves& known)
+      : f_(f), known_(known), second_(f.bound(2)), third_(f.bound(3)) {
     take(0);
     take(half_turn);
     // From half of one swing of the fastest on.
@@ -104,15 +138,17 @@ class Summit {
   static constexpr Real flat = 1e-14L;
 
  private:
-  Swings::Point take(Real t) {
-    const Swings::Point point = f_.at(t);
+  Swings::Point take(Real t) { return take(t, known_.at(t)); }
+
+  Swings::Point take(Real t, const Waves& waves) {
+    const Swings::Point point = f_.at(waves);
     if (point.value > height) height = point.value, at = t;
     return point;
   }
 
   void search(Real left, Real right) {
     const Real middle = (left + right) / 2, half = (right - left) / 2;
-    const Swings::Point here = take(middle);
+    const Swings::Point here = take(middle, known_.kept(middle));
     const Real above = std::abs(here.slope) * half + second_ * half * half / 2;
     if (here.value + above <= height || above < flat) return;
     if (here.curvature + third_ * half < 0) return climb(left, right);
@@ -139,6 +175,7 @@ class Summit {
   static constexpr Real no_step = 1e-15L;
 
   const Swings& f_;
+  KnownWaves& known_;
   Real second_, third_;
 };
 
@@ -188,7 +225,7 @@ Reals solved(std::vector<Reals> a, Reals b) {
 
 class Program {
  public:
-  explicit Program(const std::vector<int>& harmonics) : harmonics_(harmonics) {
+  explicit Program(const std::vector<int>& harmonics) : harmonics_(harmonics), known_(harmonics) {
     const std::size_t rows = harmonics.size() + 1;
     const Choice first = instant(harmonics, anywhere);
     basis_.push_back(first);
@@ -253,8 +290,8 @@ class Program {
         return bought(multipliers.size(), row, multipliers[row] > 0 ? -1 : 1);
       amplitudes.push_back(-multipliers[row]);
     }
-    const Swings swings(harmonics_, amplitudes);
-    const Summit summit(swings);
+    const Swings swings(known_.orders(), amplitudes);
+    const Summit summit(swings, known_);
     if (const Real upper = summit.height + Summit::flat; upper <= upper_) {
       upper_ = upper;
       swings_ = amplitudes;
@@ -263,6 +300,7 @@ class Program {
   }
 
   const std::vector<int>& harmonics_;
+  KnownWaves known_;
   std::vector<Choice> basis_;
   Real lower_ = 0, upper_ = 1;
   Reals swings_ = Reals(harmonics_.size(), 0);  // of which the maximum is upper_
