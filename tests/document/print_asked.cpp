@@ -70,7 +70,8 @@ void print_asked() {
   std::optional<Problem> problem;
   for (std::string line; std::getline(std::cin, line);) {
     const nlohmann::ordered_json asked = record::read_json(line);
-    if (file != asked.at("scene")) problem = read_problem(file = asked.at("scene"));
+    const std::string scene = asked.at("scene");
+    if (file != scene) problem = read_problem(file = scene);
     std::cout << documents(*problem, asked).dump() << '\n';
   }
 }
