@@ -50,6 +50,19 @@ class CompileOnce(unittest.TestCase):
         # Messages speak of the folder in which it was asked for.
         self.assertIn(f"{self.folder}/b/m.cpp", second[2])
 
+    def test_the_same_code_of_another_scene_once(self):
+        def generated(scene, run, batch_run, code="code"):
+            guard = "VCRIT_GENERATED_x_HPP"
+            return {"m.cpp": "text", "x.hpp": f"// Scene: {scene}\n#define {guard} 0x{run}ULL\n{code}\n",
+                    "x_batch.hpp": f"// Of {scene}\n#if {guard} != 0x{batch_run}ULL\n"}
+
+        one, other = "0123456789abcdef", "fedcba9876543210"
+        for name, files, again in (("a", generated("a", one, one), True), ("b", generated("b", other, other), False),
+                                   ("c", generated("b", one, other), True),
+                                   ("d", generated("a", one, one, "// code"), True),
+                                   ("e", generated("a\n// b", one, one), True)):
+            self.assertEqual(self.compile(name, files, "m.cpp")[3], again, name)
+
     def test_anything_else_again(self):
         self.compile("a", {"m.cpp": "text", "h.hpp": "header", "o.o": "object"}, "m.cpp", "o.o")
         for number, (files, arguments) in enumerate([
