@@ -65,8 +65,8 @@ class Package(unittest.TestCase):
             shutil.copy(file, known)
         outcome = run("cmake", "-G", "Ninja", "-S", source, "-B", build, "-DCMAKE_PLATFORM_INFO_INITIALIZED=1",
                       f"-DCMAKE_CXX_COMPILER={COMPILER}", f"-DCMAKE_CXX_COMPILER_LAUNCHER={LAUNCHER}",
-                      f"-DCMAKE_CXX_FLAGS={FLAGS}", f"-DCMAKE_C_FLAGS={FLAGS}", f"-DCMAKE_PREFIX_PATH={prefix}", *options,
-                      **environment)
+                      f"-DCMAKE_CXX_FLAGS={FLAGS}", f"-DCMAKE_C_FLAGS={FLAGS}", f"-DCMAKE_PREFIX_PATH={prefix}",
+                      *options, **environment)
         return outcome, build
 
     def built(self, name, source, *options, **where):
