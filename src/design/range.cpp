@@ -114,7 +114,8 @@ SearchRange frequencies(const DesignQuestion& question, const NormalContact& con
 }
 
 // What the contact point's velocity oscillates by as long as body and drive are out of resonance.
-// At one v* grows without end, while friction rises where it would without.
+// At one v* grows without end, while friction rises where it would without. Infinite if a product
+// leaves the range of doubles.
 double usual_speed(const Problem& problem) {
   const Values& values = problem.values();
   const double omega = values.at(problem->angular_frequency.symbol);
@@ -128,7 +129,8 @@ double usual_speed(const Problem& problem) {
     compliance += 1 / (size(*drive) + mass * omega * omega);
   const double force =
       values.at(problem->coefficient.symbol) * contact_amplitude(problem) * size(problem->normal);
-  return force * omega * compliance;
+  const double speed = force * omega * compliance;
+  return speed > 0 ? speed : infinity;
 }
 
 // From `to` down to `end`.

@@ -129,5 +129,27 @@ class Beside(Case):
         self.assertIn("largest double", " ".join(answer["reasons"]))
 
 
+# Forces of inf and of 0 N, a stiffness of nan N/m: the first two were refused as options that no command has, after a
+# sweep had begun its file; the search of the last one ran into memory that is not its own.
+class Motion(Case):
+    COMMANDS = [["simulate", "--velocity-ratio", "0.5"], ["critical"], ["plot", "--of", "friction", "--out", "p.svg"],
+                ["solve", "--for", "velocity", "--friction-ratio", "0.8"],
+                ["sweep", "--over", "velocity_ratio=lin:0.5:0.9:2", "--quantity", "friction_ratio", "--out", "s.csv"]]
+
+    def test_beyond_doubles_is_outside_the_model(self):
+        for scene in ("admissible_overflow", "admissible_underflow", "drive_velocity_nan"):
+            for command, *options in self.COMMANDS:
+                with self.subTest(scene=scene, command=command):
+                    self.refused(3, [command, program.PROJECT / f"tests/data/range_ends/{scene}.toml", *options],
+                                 "in SI units the numbers of this motion leave the range of doubles")
+
+    # The force of friction, 1e-344 N, is no double; v* is.
+    def test_a_speed_is_not_sought_in_an_endless_range(self):
+        scene = program.scene({"k1": 1e6, "k2": 1e6}, normal="k1", tangential="k2", angular_frequency=1e150,
+                              amplitude=1e-150, indentation=2e-150, coefficient=1e-200)
+        self.refused(3, ["solve", self.write(scene), "--for", "velocity", "--friction-ratio", "0.8"],
+                     "no steady state was found", "leave the range of doubles")
+
+
 if __name__ == "__main__":
     unittest.main()

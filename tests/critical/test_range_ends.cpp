@@ -119,6 +119,14 @@ BOOST_AUTO_TEST_CASE(friction_where_numbers_of_the_motion_leave_the_range_of_dou
   }
 }
 
+// A mean force of inf or 0 N, a branch of nan N/m: refused as if an option of that name were wrong.
+BOOST_AUTO_TEST_CASE(a_system_beyond_doubles_is_outside_the_model) {
+  for (const char* name : {"admissible_overflow", "admissible_underflow", "drive_velocity_nan"})
+    BOOST_TEST(test::refused<ModelError>(
+        [&] { simulation::system_of(scene_of(name)); },
+        "in SI units the numbers of this motion leave the range of doubles"));
+}
+
 // It was called sliding at half of v*, with a friction ratio of 0.999998 and an error of 0.5.
 BOOST_AUTO_TEST_CASE(a_stick_that_rounding_hides) {
   const Scene scene = scene_of("stick_lost");

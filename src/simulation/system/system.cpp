@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/constants.hpp"
+#include "base/errors.hpp"
 #include "normal/mean_indentation.hpp"
 #include "normal/mount.hpp"
 #include "rules/rulebook.hpp"
@@ -25,6 +26,16 @@ void let_open(System& system, const Problem& problem) {
     system.opening = opening_motion(problem);
   else if (share > 1)
     system.normal_force_amplitude /= share;
+}
+
+// Each number of a scene is right: what a system is refused for is what they came to.
+void require_number_range(const System& system) {
+  try {
+    check_system(system);
+  } catch (const InputError&) {
+    throw ModelError("in SI units the numbers of this motion leave the range of doubles",
+                     "Eq. (24) needs none of them; for friction give values nearer to 1");
+  }
 }
 
 // A product as the sum of two doubles, right to 2^-100.
@@ -171,6 +182,7 @@ System system_of(const Problem& problem) {
     hold_by_table(system, *table,
                   problem->mass ? std::optional(values.at(problem->mass->symbol)) : std::nullopt);
   let_open(system, problem);
+  require_number_range(system);
   return system;
 }
 
