@@ -154,10 +154,10 @@ MatrixXd CvodeSearch::derivative(const VectorXd& y, const VectorXd& change) {
   return result;
 }
 
-// Along slow branches the map is singular to rounding.
+// Along slow branches the map is singular to rounding: there is no step along what is within it.
 VectorXd shortest_solution(const MatrixXd& a, const VectorXd& right) {
   const linear::SingularValues parts = linear::singular_values(a);
-  const double least = 1e-15 * parts.sizes(0);
+  const double least = static_cast<double>(a.cols()) * epsilon * parts.sizes(0);
   VectorXd turned = parts.u.transpose() * right;
   for (Index i = 0; i < turned.size(); ++i)
     turned(i) = parts.sizes(i) > least ? turned(i) / parts.sizes(i) : 0;

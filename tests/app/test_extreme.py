@@ -129,8 +129,8 @@ class Beside(Case):
         self.assertIn("largest double", " ".join(answer["reasons"]))
 
 
-# Forces of inf and of 0 N, a stiffness of nan N/m: the first two were refused as options that no command has, after a
-# sweep had begun its file; the search of the last one ran into memory that is not its own.
+# Forces of inf and of 0 N, a stiffness of nan N/m: they were refused as options that no command has, after a sweep had
+# begun its file. Under 0 N the search of a speed crashed.
 class Motion(Case):
     COMMANDS = [["simulate", "--velocity-ratio", "0.5"], ["critical"], ["plot", "--of", "friction", "--out", "p.svg"],
                 ["solve", "--for", "velocity", "--friction-ratio", "0.8"],

@@ -57,7 +57,7 @@ def formulas(text, form):
 def derived(asked, formats=None):
     """{format: document} of each (scene, form), with limits and sensitivities."""
     return documents(PRINT_DOCUMENTS, [{"scene": str(scene), "form": form, "limits": True, "sensitivities": True,
-                                    "formats": formats or FORMATS[form]} for scene, form in asked])
+                                        "formats": formats or FORMATS[form]} for scene, form in asked])
 
 
 def faults_of(items):

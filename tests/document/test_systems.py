@@ -31,8 +31,8 @@ FORMATS = ("sympy", "mathematica", "maple", "maxima", "mathml", "c")
 def exported():
     """Every other row of the table; the program adds 92 random scenes."""
     scenes = [row["scene"].replace("poisson = 0.3", "poisson = 0.3125") for row in rows("hand_forms.csv", 216)[::2]]
-    done = subprocess.run([PRINT_DOCUMENTS, "exported"], input="".join(scene + "\0" for scene in scenes), capture_output=True, text=True,
-                          check=True, timeout=300)
+    done = subprocess.run([PRINT_DOCUMENTS, "exported"], input="".join(scene + "\0" for scene in scenes),
+                          capture_output=True, text=True, check=True, timeout=300)
     return [json.loads(line) for line in done.stdout.splitlines()]
 
 

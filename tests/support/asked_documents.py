@@ -11,5 +11,5 @@ def documents(program, asked, **options):
     lines = "".join(json.dumps(each) + "\n" for each in asked)
     done = subprocess.run([program, "asked"], input=lines, capture_output=True, text=True, **options)
     if done.returncode != 0:
-        raise AssertionError(f"print_asked: status {done.returncode}: {done.stderr}")
+        raise AssertionError(f"print_documents asked: status {done.returncode}: {done.stderr}")
     return [json.loads(line) for line in done.stdout.splitlines()]

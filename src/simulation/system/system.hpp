@@ -77,8 +77,9 @@ std::vector<int> undamped_harmonics(const System& system);
 /// end.
 void hold_by(System& system, DriveStructure structure);
 
-/// Throws InputError for missing values, ModelError unless the normal network carries the mean load
-/// and the normal force stays positive or the contact may open.
+/// Throws InputError for missing values, ModelError unless the normal network carries the mean
+/// load, the normal force stays positive or the contact may open, and forces and stiffnesses are
+/// doubles.
 System system_of(const Problem& problem);
 
 }  // namespace vcrit::simulation
