@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "base/files.hpp"
+#include "base/output_places.hpp"
 #include "commands.hpp"
 #include "options.hpp"
 #include "record/fields.hpp"
@@ -38,8 +39,9 @@ std::filesystem::path page_file(const ExploreOptions& options) {
 
 void explore(const ExploreOptions& options) {
   const Problem problem = options.scene.read();
-  const std::string page = validation::report::explore_page(problem);
   const std::filesystem::path out = page_file(options);
+  refuse_input_as_output(out, files_of(problem));
+  const std::string page = validation::report::explore_page(problem);
   write_file(out, page);
   if (options.json) return print(record::json_of(Explored{out.string(), page.size()}));
   fmt::print("Wrote {0} ({1:.1f} MB, works offline). Open it: xdg-open {0}\n", out.string(),

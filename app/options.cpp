@@ -16,6 +16,7 @@
 #include "problem/variants.hpp"
 #include "record/json_text.hpp"
 #include "scene/settings.hpp"
+#include "scene/stiffness_data.hpp"
 
 namespace vcrit::app {
 
@@ -47,6 +48,15 @@ Problem SceneOptions::read(const std::function<Frequency(const Problem&)>& frequ
     if (const auto own = beyond_fitted_range(problem, *omega, *omega)) std::erase(warnings, *own);
   for (const std::string& warning : warnings) warn(warning);
   return warning_of(problem, std::move(warnings));
+}
+
+std::vector<std::filesystem::path> files_of(const Problem& problem) {
+  std::vector<std::filesystem::path> files{problem->source->file};
+  if (const Receptance* drive = problem->receptance()) files.emplace_back(drive->file);
+  for (const MeasuredStiffness& each : problem->measured) files.emplace_back(each.table->file);
+  if (problem->indenter && problem->indenter->profile)
+    files.emplace_back(problem->indenter->profile->file);
+  return files;
 }
 
 double ratio_of(const std::string& text, const char* option, const char* expected) {

@@ -1,6 +1,7 @@
 // What several commands share: reading the scene, numbers of options, printing an object.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -27,6 +28,9 @@ struct SceneOptions {
   Problem read(const std::function<Frequency(const Problem&)>& frequency) const;
   Settings split_settings() const;
 };
+
+/// The scene's file, and those of the tables that it names.
+std::vector<std::filesystem::path> files_of(const Problem& problem);
 
 /// "0.5" or "50%", of that option. Throws InputError, which says what was `expected`.
 double ratio_of(const std::string& text, const char* option, const char* expected);

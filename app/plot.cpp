@@ -10,6 +10,7 @@
 
 #include "answers/realised_friction.hpp"
 #include "base/files.hpp"
+#include "base/output_places.hpp"
 #include "base/units.hpp"
 #include "choice.hpp"
 #include "commands.hpp"
@@ -98,6 +99,7 @@ void plot(const PlotOptions& options) {
   const Problem problem =
       options.scene.read(options.shown == Shown::frequency ? SceneOptions::Frequency::varied
                                                            : SceneOptions::Frequency::of_the_scene);
+  refuse_input_as_output(out, files_of(problem));
   if (options.shown != Shown::frequency)
     for (const std::string& warning : unstated_error(problem)) warn(warning);
   const std::vector<Figure> figures = figures_of(options, problem);

@@ -16,6 +16,7 @@
 #include "base/constants.hpp"
 #include "base/joined.hpp"
 #include "base/numbers.hpp"
+#include "base/output_places.hpp"
 #include "base/rounded.hpp"
 #include "base/units.hpp"
 #include "maps/csv_map.hpp"
@@ -72,6 +73,14 @@ void warn_of_folder(const SweepOptions& options, Sweep& sweep) {
   warn_of(sweep, made);
 }
 
+/// The scene, its tables, and lists of axes.
+void refuse_lost_inputs(const SweepOptions& options, const Problem& problem) {
+  std::vector<std::filesystem::path> read = files_of(problem);
+  for (const std::string& axis : options.over)
+    if (const auto list = list_file(axis)) read.emplace_back(*list);
+  refuse_input_as_output(options.out, read);
+}
+
 Sweep sweep_of(const SweepOptions& options) {
   using Frequency = SceneOptions::Frequency;
   const auto frequency = [&](const Problem& problem) {
@@ -80,6 +89,7 @@ Sweep sweep_of(const SweepOptions& options) {
   Sweep sweep{options.scene.read(frequency), {}, {}, {}, {}, options.units};
   for (const std::string& axis : options.over)
     sweep.axes.push_back(parse_axis(axis, sweep.problem));
+  refuse_lost_inputs(options, sweep.problem);
   warn_of_axes(sweep);
   warn_of_folder(options, sweep);
   for (const std::string& name : options.quantities)

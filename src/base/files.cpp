@@ -14,6 +14,7 @@
 
 #include "base/errors.hpp"
 #include "base/identifiers.hpp"
+#include "base/output_places.hpp"
 
 namespace vcrit {
 
@@ -156,10 +157,8 @@ void write_files(const std::vector<NewFile>& files) {
   const SignalsWait wait;
   std::vector<Part> parts;
   for (const NewFile& file : files) {
-    std::error_code error;
-    // A folder in the way would be found by the renames, too late for the files before it.
-    if (fs::is_directory(fs::symlink_status(file.place, error)))
-      refuse(file.place, std::make_error_code(std::errc::is_a_directory));
+    // What is in the way would be found by the renames, too late for the files before it.
+    check_place(file.place);
     parts.emplace_back(file.place).fill(file.text);
   }
   for (Part& part : parts) part.put_into_place();

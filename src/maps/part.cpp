@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "base/errors.hpp"
+#include "base/output_places.hpp"
 
 namespace vcrit::maps {
 
@@ -35,6 +36,12 @@ const fs::path& without_link(const fs::path& part) {
   return part;
 }
 
+// Before hours of work, not after.
+const fs::path& checked_place(const fs::path& file) {
+  check_place(file);
+  return file;
+}
+
 }  // namespace
 
 fs::path part_of(const fs::path& file) { return with_ending(file, ".part"); }
@@ -44,7 +51,7 @@ void refuse_part(const fs::path& part, const std::string& found, const std::stri
 }
 
 PartFile::PartFile(const fs::path& file, bool resume)
-    : file_(file), path_(part_of(file)), lock_(without_link(path_)) {
+    : file_(checked_place(file)), path_(part_of(file)), lock_(without_link(path_)) {
   if (is_there() && !resume)
     throw InputError({path_.string()}, "an unfinished sweep",
                      "`resume` to go on with it, or that you remove it");

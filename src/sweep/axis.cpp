@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "base/files.hpp"
@@ -22,6 +23,8 @@ namespace {
 
 constexpr const char* axis_form =
     "NAME=lin|log:FROM:TO:N, such as velocity_ratio=lin:0.1:1:10, or NAME=list:FILE";
+
+constexpr std::string_view of_list = "list:";
 
 // They are kept in memory; more points come from more axes.
 constexpr std::size_t most_values = 10'000'000;
@@ -110,6 +113,12 @@ std::vector<double> parse_list(const std::string& text, const std::string& file,
   return values;
 }
 
+std::optional<std::string> list_file(const std::string& axis) {
+  const std::string range(trimmed(axis.substr(axis.find('=') + 1), " "));
+  if (!range.starts_with(of_list)) return std::nullopt;
+  return range.substr(of_list.size());
+}
+
 Axis parse_axis(const std::string& text, const Problem& problem) {
   const Place whole = argument("over " + text);
   const auto equals = text.find('=');
@@ -117,9 +126,9 @@ Axis parse_axis(const std::string& text, const Problem& problem) {
   const std::string name(trimmed(text.substr(0, equals), " ")),
       range(trimmed(text.substr(equals + 1), " "));
   const Place place = argument("over " + name);
-  if (range.starts_with("list:")) {
+  if (const auto file = list_file(text)) {
     const Dimension dimension = dimension_of(name, problem, place);
-    return {name, parse_list(read_file(range.substr(5)), range.substr(5), dimension), dimension};
+    return {name, parse_list(read_file(*file), *file, dimension), dimension};
   }
   const auto parts = split(range, ':');
   if (parts.size() != 4 || (parts[0] != "lin" && parts[0] != "log"))

@@ -1,6 +1,7 @@
 // An axis of a sweep: the values that one quantity takes in turn.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct Axis {
 /// "k1=list:FILE", one value a line, # begins a comment. Throws InputError, also for names that
 /// `problem` does not have.
 Axis parse_axis(const std::string& text, const Problem& problem);
+
+/// FILE of such an axis; nothing for others.
+std::optional<std::string> list_file(const std::string& axis);
 
 /// An axis of these values (SI). Throws InputError where there are none, and for names as above.
 Axis axis_of(const std::string& name, std::vector<double> values, const Problem& problem);

@@ -4,6 +4,7 @@ import json
 import keyword
 import shutil
 import unittest
+from pathlib import Path
 
 import drivers
 from example_scenes import with_formula
@@ -242,6 +243,22 @@ class Mistakes(Case):
                 # Words that Python alone reserves are names elsewhere.
                 if name in ("None", "True", "False", "as"):
                     self.out(*to, "c99")
+
+    # A measured drive was lost to `--out drive.csv`, and a scene to `--out scene.toml`.
+    def test_what_a_result_is_made_from_is_not_written_over(self):
+        drive = self.write(Path(example("measured_drive")).with_suffix(".csv").read_bytes(), "measured_drive.csv")
+        measured = self.write(Path(example("measured_drive")).read_bytes(), "measured.toml")
+        zener = self.write(Path(example("zener")).read_bytes(), "zener.toml")
+        values = self.write("0.1\n0.2\n", "values.csv")
+        pad = self.write(Path(example("measured_pad")).with_suffix(".csv").read_bytes(), "pad.toml")
+        sweep = ["--quantity", "critical_velocity", "--over"]
+        for command in [["sweep", measured, *sweep, "mu0=lin:0.1:0.2:2", "--out", drive.name],
+                        ["sweep", zener, *sweep, "mu0=list:values.csv", "--out", values],
+                        ["explore", zener, "--out", "./zener.toml"], ["fit", pad, "--out", pad]]:
+            with self.subTest(command=command):
+                self.refused(2, command, "found a file that this result is made from; expected another name")
+        self.assertEqual(values.read_text(), "0.1\n0.2\n")
+        self.assertEqual(drive.read_bytes()[:11], b"omega,Re,Im")
 
     def test_parameters_that_cannot_be_fixed(self):
         for name, words in [("kdd", 'expected "kd"'), ("omega", "parameter of every call")]:

@@ -9,6 +9,7 @@
 #include "base/errors.hpp"
 #include "base/files.hpp"
 #include "base/numbers.hpp"
+#include "base/output_places.hpp"
 #include "support/refusal.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_files)
@@ -79,6 +80,32 @@ BOOST_FIXTURE_TEST_CASE(neither_a_link_nor_what_stands_beside_the_place_is_writt
   BOOST_TEST(!fs::is_symlink(path / "file"));
   BOOST_TEST(read_file(path / "file") == "ours");
   BOOST_TEST(fs::is_symlink(path / part));
+}
+
+// --out /dev/null of root put a file in place of the device. Pipes stand for devices here, which no
+// test should risk.
+BOOST_FIXTURE_TEST_CASE(what_is_no_file_is_not_replaced, Folder) {
+  const fs::path pipe = path / "pipe", link = path / "link", stream = path / "stream";
+  BOOST_REQUIRE(::mkfifo(pipe.c_str(), 0666) == 0);
+  fs::create_symlink(pipe, link);
+  fs::create_symlink("/proc/self/fd/1", stream);
+  for (const fs::path& place : {pipe, link, stream})
+    BOOST_TEST(test::has(test::refusal([&] { write_file(place, "text"); }),
+                         "found a device, a pipe or a socket; expected the name of a file"));
+  BOOST_TEST(fs::is_fifo(pipe));
+  BOOST_TEST(fs::is_symlink(link));
+  BOOST_TEST(fs::is_symlink(stream));
+  BOOST_TEST(std::distance(fs::directory_iterator(path), {}) == 3);
+}
+
+BOOST_FIXTURE_TEST_CASE(what_a_result_is_made_from_stays, Folder) {
+  write_file(path / "data", "theirs");
+  fs::create_symlink(path / "data", path / "link");
+  for (const char* const place : {"data", "link"})
+    BOOST_TEST(
+        test::has(test::refusal([&] { refuse_input_as_output(path / place, {path / "data"}); }),
+                  "found a file that this result is made from; expected another name"));
+  refuse_input_as_output(path / "other", {path / "data", path / "none"});
 }
 
 BOOST_FIXTURE_TEST_CASE(a_missing_file_is_wrong_input, Folder) {
