@@ -5,11 +5,14 @@
 #include <CLI/App.hpp>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
+#include <sstream>
 
 #include "base/constants.hpp"
 #include "base/files.hpp"
+#include "base/output_places.hpp"
 #include "base/rounded.hpp"
 #include "base/units.hpp"
 #include "commands.hpp"
@@ -122,11 +125,33 @@ void warn_of_wide_punch(const std::string& radius) {
                     radius));
 }
 
+/// "poisson" of `poisson = 0.6`, in that line of a scene.
+std::string key_in_line(const std::string& scene, int line) {
+  std::istringstream lines(scene);
+  std::string text;
+  for (int i = 0; i < line; ++i) std::getline(lines, text);
+  return text.substr(0, text.find_first_of(" ="));
+}
+
+// The file is not there yet: what is wrong with it is wrong with an option.
+void check_scene(const FitContents& contents) {
+  constexpr std::array given{"poisson", "frequency", "amplitude", "indentation", "coefficient"};
+  try {
+    parse_problem(contents.scene_text, contents.scene);
+  } catch (const InputError& error) {
+    const std::string key = key_in_line(contents.scene_text, error.place().line);
+    if (std::ranges::find(given, key) == given.end()) throw;
+    throw InputError(argument(key), error.found(), error.expected(), error.advice());
+  }
+}
+
 // All that may be wrong is found before the first file is written.
 void run_fit(const FitOptions& options) {
   const std::filesystem::path out = options.out;
   if (out.extension() != ".toml")
     throw InputError({"--out"}, fmt::format("\"{}\"", options.out), "a file ending in .toml");
+  for (const char* ending : {".toml", ".html"})
+    refuse_input_as_output(std::filesystem::path(out).replace_extension(ending), {options.data});
   if (!options.figures.empty()) validation::report::require_gnuplot("figures");
   const StiffnessTable data =
       read_stiffness_table(options.data, punch_of(options.punch_radius, options.rest.poisson));
@@ -140,7 +165,7 @@ void run_fit(const FitOptions& options) {
       options.out,
       std::filesystem::path(out).replace_extension(".html").string(),
       scene_text(fit, data, options.rest)};
-  parse_problem(contents.scene_text, options.out);
+  check_scene(contents);
   std::vector<NewFile> files{{out, contents.scene_text}, {contents.page, fit_page(contents)}};
   if (!options.figures.empty())
     for (NewFile& file : figure_files(data, fit, options.figures)) files.push_back(std::move(file));

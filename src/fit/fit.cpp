@@ -262,7 +262,28 @@ bool has_losses_of_wrong_sign(const StiffnessTable& data) {
   return sum < -usual_noise / 2 * static_cast<double>(data.rows.size());
 }
 
+// Squares of their quotients are doubles, too.
+constexpr double least_number = 1e-50, largest_number = 1e50;
+
+void refuse_number(const StiffnessTable& data, const char* name, double value, const char* unit) {
+  if (value >= least_number && value <= largest_number) return;
+  throw InputError(
+      {data.file}, fmt::format("{} of {}", name, rounded(value, unit)),
+      fmt::format("{} to {}", rounded(least_number, unit), rounded(largest_number, unit)));
+}
+
+void refuse_extremes(const StiffnessTable& data) {
+  for (const StiffnessRow& row : data.rows) {
+    refuse_number(data, "an angular frequency", row.omega, "rad/s");
+    refuse_number(data, "a stiffness", std::hypot(row.storage, row.loss), "N/m");
+    if (!data.has_errors) continue;
+    refuse_number(data, "an error", row.storage_error, "N/m");
+    refuse_number(data, "an error", row.loss_error, "N/m");
+  }
+}
+
 void refuse_what_cannot_be_fitted(const StiffnessTable& data) {
+  refuse_extremes(data);
   if (data.rows.size() < least_rows)
     throw InputError({data.file}, fmt::format("{} rows of numbers", data.rows.size()),
                      fmt::format("at least {}", least_rows));

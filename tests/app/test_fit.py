@@ -249,6 +249,28 @@ class Fit(Case):
                 self.assertIn(said + warned, found["warnings"][0])
                 self.assertEqual(result.stderr, f"vcrit: warning: {found['warnings'][0]}\n")
 
+    # A loss of 0 leaves a stiffness that is the same at all frequencies but for rounding: its chart had ticks without
+    # end, until no memory was left.
+    def test_a_stiffness_that_stays_has_a_chart(self):
+        for stays in (1e6, 1e20):
+            found = self.fit("frequency,storage,loss\n" + "".join(f"{i},{stays},0\n" for i in range(1, 9)))
+            self.assertEqual(found["branches"], [])
+            self.assertAlmostEqual(found["equilibrium"] / stays, 1, delta=1e-9)
+
+    # Squares left the range of doubles: status 70, or "no series comes near these data" of a plain spring.
+    def test_numbers_whose_squares_are_no_doubles_are_refused(self):
+        for cells, words in [("1,1e-320,1e-321", "a stiffness of"), ("1,1e200,1", "a stiffness of"),
+                             ("1e-300,1e6,1", "an angular frequency of")]:
+            self.write(f"frequency,storage,loss\n{cells}\n10,1e6,1\n100,1e6,1\n", "d.csv")
+            self.refused(2, ["fit", "d.csv", "--out", "s.toml"], "d.csv: found " + words)
+
+    # "s.toml:8:11" was named, which is not there.
+    def test_wrong_values_are_those_of_options(self):
+        self.write(table(stiffness), "d.csv")
+        for option, value in (("poisson", "0.6"), ("frequency", "-1"), ("amplitude", "-1 um")):
+            self.refused(2, ["fit", "d.csv", "--out", "s.toml", f"--{option}", value],
+                         f"--{option}: found {option} = {value}; expected")
+
     def test_wrong_options_write_nothing(self):
         self.write(table(stiffness), "d.csv")
         for arguments, words in [

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/files.hpp"
+#include "figures/axis_scale.hpp"
 #include "figures/figure_json.hpp"
 #include "figures/gnuplot.hpp"
 #include "figures/svg.hpp"
@@ -194,6 +195,20 @@ BOOST_AUTO_TEST_CASE(a_map_gives_axes_their_range) {
   BOOST_TEST(figure_json(figure)["y"]["range"].dump() == "[-0.5,1.5]");
   figure.map.reset();
   BOOST_TEST(!figure_json(figure)["x"].contains("range"));
+}
+
+// Some had steps of 0, and ticks without end.
+BOOST_AUTO_TEST_CASE(values_that_no_label_tells_apart_have_ticks_around_them) {
+  for (const bool logarithmic : {true, false})
+    for (const double value : {1e6, 1.0, 0.3, 1e-9, 1e20, 1e300})
+      for (const double spread : {0.0, 1e-16, 1e-12, 4e-9, 1e-8, 1e-3}) {
+        const AxisScale scale({"y", logarithmic, {}, {}}, {value, value * (1 + spread)}, 5);
+        BOOST_TEST(!scale.ticks().empty());
+        BOOST_TEST(scale.ticks().size() < 30u);
+        // A rounding of the value is 6e-8 of the least spread that is drawn.
+        const double place = scale.place(value);
+        BOOST_TEST((place >= -1e-7 && place <= 1 + 1e-7));
+      }
 }
 
 BOOST_AUTO_TEST_CASE(text_in_a_record_stays_text) {

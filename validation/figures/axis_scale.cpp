@@ -60,6 +60,9 @@ double measured(double value, bool logarithmic) {
   return logarithmic ? std::log10(value) : value;
 }
 
+/// Around a single value, as a part of it: labels have six digits.
+constexpr double least_room = 1e-3;
+
 /// Rounded outward to whole powers of ten, or whole steps; some range around a single value.
 std::pair<double, double> extent(const std::vector<double>& shown, bool logarithmic, int count) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -70,9 +73,12 @@ std::pair<double, double> extent(const std::vector<double>& shown, bool logarith
     high = std::max(high, place);
   }
   if (low > high) return {0, 1};
-  if (low == high) {
-    low -= 1;
-    high += 1;
+  // Values that no label tells apart would have no step between them, and steps without end.
+  const double size = std::max(std::abs(low), std::abs(high));
+  if (high - low <= 4 * almost * (logarithmic ? std::max(1.0, size) : size)) {
+    const double room = std::max(1.0, least_room * size);
+    low -= room;
+    high += room;
   }
   const double step = logarithmic ? 1 : round_step((high - low) / count);
   return {std::floor(low / step + almost) * step, std::ceil(high / step - almost) * step};
