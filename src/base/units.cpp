@@ -86,7 +86,11 @@ ut_system* units() {
   return system;
 }
 
-Unit parse_unit(const std::string& text) { return Unit(ut_parse(units(), text.c_str(), UT_UTF8)); }
+// udunits prints a line's end, which it does not know, on standard output.
+Unit parse_unit(const std::string& text) {
+  if (text.find('\n') != std::string::npos) return {};
+  return Unit(ut_parse(units(), text.c_str(), UT_UTF8));
+}
 
 // udunits takes the radian for a pure number, so that Hz and rad/s (or rpm) would convert into one
 // another; only the unit's definition tells them apart.

@@ -139,6 +139,8 @@ class Exponents(Hostile):
         for unit in ("m^99999999999", "N^-2147483648", "(" * 30 + "N/m" + ")" * 30 + "^999", "N/m" * 10000):
             with self.subTest(unit[:20]):
                 self.refuse(scene(elements=f'kd = "1 {unit}"'), "expected a stiffness in N/m")
+        # udunits printed it, so that standard output was not empty.
+        self.refuse(scene(elements='kd = "1 N/m\\n"'), "expected a stiffness in N/m")
 
 
 class Size(Hostile):
