@@ -25,6 +25,9 @@ namespace vcrit::app {
 
 namespace {
 
+// 0 is no share of 0, where nothing oscillates.
+double share_of(double part, double whole) { return part == 0 ? 0 : part / whole; }
+
 // The formula against two independent simulations: the lowest speed of steady sliding
 // (`simulated`), and the highest speed at which a motion that starts at rest still sticks.
 struct CriticalComparison {
@@ -41,7 +44,7 @@ struct CriticalComparison {
     return formula == value ? 0 : std::abs(value - formula) / formula;
   }
   double tolerance() const { return motion_tolerance(condition) + of_fit; }
-  double stick_tolerance() const { return tolerance() + uncertainty / formula; }
+  double stick_tolerance() const { return tolerance() + share_of(uncertainty, formula); }
   double sliding_difference() const {
     return sliding_from == simulated ? 0 : std::abs(simulated - sliding_from) / sliding_from;
   }
@@ -122,7 +125,7 @@ CriticalComparison of_one_contact(const Problem& problem) {
                             simulation::sliding_threshold(system).contact_velocity};
   result.sliding_from = formula * sliding_share(free_harmonics(problem));
   if (problem->receptance() != nullptr)
-    result.of_fit = realised_velocity(problem).difference / formula;
+    result.of_fit = share_of(realised_velocity(problem).difference, formula);
   try {
     const simulation::Onset last = simulation::stick_onset(system);
     result.stick_onset = last.contact_velocity;

@@ -3,7 +3,7 @@
 import json
 import unittest
 
-from program import Case
+from program import Case, example
 
 
 class Verdicts(Case):
@@ -34,6 +34,17 @@ class Verdicts(Case):
             result, text = self.compared("kd", "kt", {"kt": 2, "kd": 4}, mass)
             self.assertEqual((result.returncode, text.returncode), (3, 3))
             self.assertIn("has no digit of v*", text.stderr)
+
+    # Where nothing oscillates v* is 0 by each way. Of a measured drive they did not agree, within a tolerance of nan.
+    def test_nothing_that_oscillates_agrees(self):
+        for name in ("measured_drive", "zener", "sphere"):
+            with self.subTest(scene=name):
+                command = ["critical", example(name), "--set", "amplitude=0"]
+                found = self.answer(*command)
+                self.assertEqual((found["formula"], found["simulated"], found["agree"]), (0, 0, True))
+                self.assertLess(found["tolerance"], 1e-6)
+                self.assertNotIn("resonance", found["stick_onset_missing"])
+                self.assertNotIn("nan", self.out(*command))
 
     # A free swing at the second harmonic: steady sliding from v*/sqrt(2) on.
     def test_a_free_swing_slides_from_below_the_critical_velocity(self):

@@ -125,6 +125,7 @@ Onset stick_onset(const System& given) {
     throw ModelError(why);
   double low = 1, high = 2;
   while (!sticks(model, low) && low > lowest_speed) high = std::exchange(low, low / 2);
+  if (!(low > lowest_speed)) throw ModelError("a motion from rest sticks at no speed");
   while (sticks(model, high)) {
     if (high > highest_speed) throw ModelError("stick vanishes at no speed");
     low = std::exchange(high, 2 * high);
