@@ -18,8 +18,9 @@ namespace {
 constexpr double negligible_reduction = 1e-9;
 
 std::string ratio_words(const Speed& speed, int digits) {
-  if (std::isinf(speed.ratio)) return "where v* is 0";
-  if (speed.ratio == 0) return "where v* is infinite";
+  if (speed.critical == 0) return "where v* is 0";
+  if (std::isinf(speed.critical)) return "where v* is infinite";
+  if (std::isinf(speed.ratio)) return "more than 10³⁰⁸ times v*";
   return fmt::format("{} times v*", rounded(speed.ratio, "", digits));
 }
 

@@ -40,12 +40,14 @@ Speed SpeedOptions::of(const Problem& problem) const {
   const bool by_ratio = velocity_.empty();
   if (by_ratio && std::isinf(critical))
     throw ModelError(onset.reason + ": --velocity-ratio has no meaning, give --velocity");
+  if (by_ratio && critical == 0)
+    throw ModelError("v* is 0 here: --velocity-ratio has no meaning, give --velocity");
   const double ratio = by_ratio ? speed_ratio_of(ratio_) : 1;
   if (by_ratio) check_speed_ratio(ratio, {"--velocity-ratio"}, ratio_);
   const double velocity =
       by_ratio ? ratio * critical : parse_quantity(velocity_, Dimension::velocity, {"--velocity"});
   check_speed(velocity, {by_ratio ? "--velocity-ratio" : "--velocity"});
-  return {velocity, velocity / critical};
+  return {velocity, velocity / critical, critical};
 }
 
 }  // namespace vcrit::app

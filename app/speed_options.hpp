@@ -12,6 +12,7 @@ namespace vcrit::app {
 struct Speed {
   double velocity = 0;  ///< of the drive, m/s
   double ratio = 0;     ///< the same in units of v*
+  double critical = 0;  ///< v*, m/s
 };
 
 class SpeedOptions {

@@ -91,9 +91,10 @@ std::string too_fast_for_amplitudes(const Failure& f) {
   if (!all) return text + fmt::format("; amplitudes are admissible below {}", most_words);
   text += fmt::format(" (beyond {} the contact opens)", most_words);
   if (!(limit > 0)) return text + ": this frequency is an antiresonance";
-  if (below_indenter(f)) return text + ". It takes a velocity below that";
-  return text + fmt::format(". It takes a velocity below that, or {}",
-                            needs_indentation(f.question, f.question.velocity / limit));
+  text += ". It takes a velocity below that";
+  const double times = f.question.velocity / limit;
+  if (below_indenter(f) || !std::isfinite(times)) return text;
+  return text + ", or " + needs_indentation(f.question, times);
 }
 
 // The system is homogeneous: indentation, amplitude and speed times one number leave the ratio.
@@ -115,8 +116,9 @@ std::string ratio_over_amplitudes(const Failure& f) {
     const double velocity = solve(slower).value;
     text += fmt::format(". At an amplitude of {} it takes a velocity of at most {}", amplitude,
                         rounded_down(velocity, "m/s"));
-    if (f.range.to > 0.9 * most && !below_indenter(f))
-      text += ", or " + needs_indentation(f.question, f.question.velocity / velocity);
+    const double times = f.question.velocity / velocity;
+    if (f.range.to > 0.9 * most && !below_indenter(f) && std::isfinite(times))
+      text += ", or " + needs_indentation(f.question, times);
   } catch (const ModelError&) {
     text += fmt::format(". At an amplitude of {} no velocity reaches it either", amplitude);
   }
@@ -137,9 +139,10 @@ std::string too_fast_for_frequencies(const Failure& f) {
   const auto [speed, limit_words] = rounded_apart(f.question.velocity, limit, "m/s");
   std::string text = fmt::format(
       "at {} friction stays full at every searched {}: it is reduced up to {} at most, at {}. It "
-      "takes a velocity below that, or an amplitude above {} there",
-      speed, reach_of(f), limit_words, rounded(f.range.largest_at, "Hz"),
-      rounded_up(amplitude, "m"));
+      "takes a velocity below that",
+      speed, reach_of(f), limit_words, rounded(f.range.largest_at, "Hz"));
+  if (!std::isfinite(amplitude)) return text;
+  text += fmt::format(", or an amplitude above {} there", rounded_up(amplitude, "m"));
   if (amplitude >= most)
     text += fmt::format(", which opens the contact: the amplitude is admissible below {}",
                         rounded_down(most, "m"));

@@ -15,6 +15,7 @@
 #include "problem/variants.hpp"
 #include "rules/kinds.hpp"
 #include "rules/rulebook.hpp"
+#include "stiffness/structure_check.hpp"
 
 namespace vcrit::design {
 
@@ -127,7 +128,10 @@ double NormalContact::oscillating_part(double amplitude, double omega) const {
   return amplitude / largest_amplitude(omega);
 }
 
+// What a search came to is no mistake of the scene's numbers.
+
 Problem with_amplitude(const Problem& problem, double amplitude) {
+  require_si_doubles(std::isfinite(amplitude));
   return problem.with({{problem->amplitude.symbol, amplitude}});
 }
 
@@ -135,6 +139,7 @@ Problem with_load(const Problem& problem, double force) {
   if (!problem->load)
     throw InputError(argument("for force"), "a scene without [load]",
                      "[load] with force = \"20 N\", in place of the indentation");
+  require_si_doubles(std::isfinite(force) && force > 0);
   return problem.with({{problem->load->symbol, force}});
 }
 

@@ -15,6 +15,7 @@
 #include "problem/variants.hpp"
 #include "rules/kinds.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
+#include "stiffness/structure_check.hpp"
 
 namespace vcrit::design {
 
@@ -23,11 +24,16 @@ namespace {
 // Down to the largest speed over this they are tried evenly, below by even ratios.
 constexpr double even_down_to = 20;
 
+// An end that nobody gave is the search's own.
 void refuse_empty(const DesignQuestion& question, double from, double to) {
   if (from < to && std::isfinite(to)) return;
-  throw InputError(argument("from, to"),
-                   fmt::format("from {} to {}", rounded(from, unit_of(question.sought)),
-                               rounded(to, unit_of(question.sought))),
+  require_si_doubles(question.from || question.to);
+  const auto [low, high] = rounded_apart(from, to, unit_of(question.sought));
+  if (!question.to)
+    throw InputError(argument("from"), low, "a number below " + high + ", where the search ends");
+  if (!question.from || from != *question.from)
+    throw InputError(argument("to"), high, "a number above " + low + ", where the search begins");
+  throw InputError(argument("from, to"), fmt::format("from {} to {}", low, high),
                    "a finite upper end above the lower end");
 }
 
@@ -43,6 +49,7 @@ SearchRange amplitudes(const DesignQuestion& question, const NormalContact& cont
                     0,
                     0};
   refuse_empty(question, range.from, range.to);
+  require_si_doubles(slowest * range.to > 0);
   range.largest_velocity = reduced_up_to(with_amplitude(problem, range.to));
   range.largest_at = range.to;
   if (finds_each_onset(problem)) {
@@ -75,6 +82,12 @@ SearchRange frequencies(const DesignQuestion& question, const NormalContact& con
                     0,
                     0};
   refuse_empty(question, range.from, range.to);
+  if (!std::isfinite(range.to / range.from))
+    throw InputError(
+        argument("from, to"),
+        fmt::format("from {} to {}", rounded(range.from, "Hz"), rounded(range.to, "Hz")),
+        "ends whose ratio is within the range of doubles");
+  require_si_doubles(std::isfinite(two_pi * range.to));
   if (most && range.from >= *most / two_pi)
     throw ModelError(
         fmt::format("the contact opens at all frequencies from {} on, and the range begins at {}",
@@ -165,6 +178,7 @@ SearchRange forces(const DesignQuestion& question, const NormalContact& contact)
                     {},
                     0,
                     0};
+  require_si_doubles(range.from > 0);
   refuse_empty(question, range.from, range.to);
   range.largest_velocity = reduced_up_to(with_load(question.problem, range.to));
   range.largest_at = range.to;
@@ -188,12 +202,15 @@ SearchRange velocities(const DesignQuestion& question) {
   range.largest_velocity = range.largest_at = limit;
   if (range.from < limit) refuse_empty(question, range.from, range.to);
   if (!(range.from < range.to)) return range;
+  // A lower end so small that it is 0 would be no end.
+  require_si_doubles(slowest * range.to > 0);
   if (rules::cells_move(question.problem)) {
     range.from = std::max(range.from, slowest * range.to);
     add_velocity_rows(question, range);
     return range;
   }
   range.from = std::max(range.from, slowest * std::min(range.to, usual_speed(question.problem)));
+  require_si_doubles(range.from > 0 && std::isfinite(range.to / range.from));
   range.rows.push_back(falling_speeds(range.to, range.from, samples_of(question)));
   return range;
 }

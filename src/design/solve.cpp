@@ -18,6 +18,7 @@
 #include "modes/general_modes.hpp"
 #include "rules/kinds.hpp"
 #include "rules/rulebook.hpp"
+#include "scene/range.hpp"
 
 namespace vcrit::design {
 
@@ -57,6 +58,9 @@ class Solving {
       if (end && !(*end > 0))
         throw InputError(argument(name), rounded(*end, unit_of(question.sought), all_digits),
                          "a number above 0");
+    for (const auto& [end, name] : {std::pair(question.from, "from"), {question.to, "to"}})
+      if (question.sought == Sought::frequency && end && !frequency_range.holds(*end))
+        throw InputError(argument(name), rounded(*end, "Hz", all_digits), frequency_range.expected);
     const int samples = samples_of(question);
     if (samples < 3 || samples > most_samples)
       throw InputError(argument("samples"), fmt::format("{}", samples),

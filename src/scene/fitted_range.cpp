@@ -45,7 +45,7 @@ std::optional<FittedRange> read_fitted_range(const document::Section& contact) {
     const toml::node& item = *ends->get(i);
     const auto value = number(item, Dimension::frequency, key, contact.place(item));
     if (!value) throw InputError(contact.place(item), document::describe_node(item), expected);
-    return two_pi * checked(*value, positive, key, contact.place(item));
+    return two_pi * checked(*value, frequency_range, key, contact.place(item));
   };
   const FittedRange range{end(0), end(1)};
   if (!(range.from <= range.to))

@@ -13,6 +13,8 @@ const Range nonnegative{[](double v) { return std::isfinite(v) && v >= 0; },
 const Range positive{[](double v) { return std::isfinite(v) && v > 0; }, "a finite value above 0"};
 const Range poisson_range{[](double v) { return v > -1 && v <= 0.5; },
                           "a Poisson's ratio above -1, up to 0.5"};
+const Range frequency_range{[](double v) { return v > 0 && std::isfinite(two_pi * v); },
+                            "a finite value above 0, and 2 pi f within the range of doubles"};
 const Range slope_range{[](double v) { return v > 0 && v < pi / 2; },
                         "an angle between 0 and 90 deg"};
 

@@ -14,6 +14,7 @@ struct Range {
   const char* expected;
 };
 extern const Range nonnegative, positive, poisson_range, slope_range;
+extern const Range frequency_range;  ///< cycles a second, whose 2 pi f is a double, too
 
 /// The value. Throws InputError, with `name`, where it is out of range.
 double checked(double value, const Range& range, const std::string& name, const Place& place);

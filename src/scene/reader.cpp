@@ -276,8 +276,8 @@ class Reader {
                        "one of the two");
     Quantity omega = quantities_.read(oscillation, "angular_frequency", "omega",
                                       Dimension::angular_frequency, positive);
-    const Quantity frequency =
-        quantities_.read(oscillation, "frequency", "frequency", Dimension::frequency, positive);
+    const Quantity frequency = quantities_.read(oscillation, "frequency", "frequency",
+                                                Dimension::frequency, frequency_range);
     quantities_.refuse_both("frequency", "angular_frequency");
     quantities_.refuse_both("frequency", "omega");
     if (frequency.value && (!omega.value || settings().has("frequency")))

@@ -49,6 +49,7 @@ struct WholeDrive {
         damping(i, j) = structure.damping(a, b) / (root[i] * root[j]);
         stiffness(i, j) = structure.stiffness(a, b) / (root[i] * root[j]);
       }
+    require_si_doubles(damping.allFinite() && stiffness.allFinite());
     split(stiffness);
     for (const DriveBranch& branch : structure.branches) {
       MotionColumn pull(n);
@@ -122,6 +123,7 @@ struct WholeDrive {
       if (const MotionReal rate = rates[static_cast<std::size_t>(j)]; rate > 0)
         flowing += elongations.col(j) * elongations.col(j).transpose() / rate;
     const MotionMatrix held = free.transpose() * flowing * free;
+    require_si_doubles(held.allFinite());
     const auto eigen = linear::symmetric_eigen(held);
     if (!(eigen.values.minCoeff() > 0))
       throw ModelError(

@@ -39,6 +39,12 @@ void check_relaxation(const Relaxation& form, std::string_view member) {
                      "a spring, a damper or a branch");
 }
 
+void require_si_doubles(bool holds) {
+  if (!holds)
+    throw ModelError("in SI units the numbers of this motion leave the range of doubles",
+                     "Eq. (24) needs none of them; for friction give values nearer to 1");
+}
+
 void check_weights(std::size_t poles, std::size_t weights) {
   if (poles != weights)
     throw InputError(argument("weights"), fmt::format("{} for {} poles", weights, poles),

@@ -13,6 +13,9 @@ namespace vcrit {
 void check_number(bool holds, std::string_view member, double value, const char* expected,
                   const char* part = "");
 
+/// Throws ModelError unless `holds`, of numbers that those of a scene came to.
+void require_si_doubles(bool holds);
+
 /// Throws InputError for numbers below 0, times that do not increase, and a network of nothing.
 void check_relaxation(const Relaxation& form, std::string_view member);
 

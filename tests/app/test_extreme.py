@@ -2,6 +2,7 @@
 the size of the scene's numbers, and the right words where there is no such double.
 """
 
+import json
 import unittest
 
 import program
@@ -142,6 +143,61 @@ class Motion(Case):
                 with self.subTest(scene=scene, command=command):
                     self.refused(3, [command, program.PROJECT / f"tests/data/range_ends/{scene}.toml", *options],
                                  "in SI units the numbers of this motion leave the range of doubles")
+
+    # What the search came to was refused as the scene's: "found du_z = inf", "W = inf". With an upper end of subnormal
+    # speeds it crashed.
+    def test_what_a_search_comes_to_is_no_fault_of_the_scene(self):
+        zener, load = program.example("zener"), program.example("tribometer")
+        speed = ["--friction-ratio", "0.5", "--velocity", "1e-3"]
+        for scene, *options in [(zener, "--for", "amplitude", *speed, "--set", "indentation=1e307"),
+                                (zener, "--for", "frequency", *speed, "--set", "indentation=1e307"),
+                                (zener, "--for", "amplitude", *speed, "--to", "1e-320"),
+                                (load, "--for", "force", *speed, "--set", "amplitude=1e308"),
+                                (zener, "--for", "velocity", "--friction-ratio", "0.5", "--to", "1e-320")]:
+            with self.subTest(options=options):
+                self.refused(3, ["solve", scene, *options], "leave the range of doubles")
+
+    def test_advice_is_finite(self):
+        for options in (["--for", "frequency", "--velocity", "1e300"], ["--for", "amplitude", "--velocity", "1e308"]):
+            told = self.refused(3, ["solve", program.example("zener"), *options, "--friction-ratio", "0.5"],
+                                "a velocity below that")
+            self.assertNotIn("∞", told)
+
+    # --drive.lead.equilibrium was refused, which no command has.
+    def test_springs_of_a_drive_with_masses_may_be_too_stiff_together(self):
+        scene = program.scene({"k": 8, "ka": 1.5e308, "kb": 1.5e308, "k2": 3, "m2": 1}, normal="k", network="(ka | kb) - (mass(m2) | k2)")
+        self.refused(3, ["simulate", self.write(scene), "--velocity", "1"], "leave the range of doubles")
+
+    # It was said that v* is 0.
+    def test_a_speed_far_above_v_star_is_told_as_that(self):
+        self.assertIn("At 1 × 10³⁰⁸ m/s, more than 10³⁰⁸ times v*",
+                      self.out("simulate", program.example("leaf_spring"), "--velocity", "1e308"))
+
+    def test_a_ratio_to_no_v_star_is_outside_the_model(self):
+        for command, *options in (["simulate", "--velocity-ratio", "0.5"], ["plot", "--cycle"]):
+            told = self.refused(3, [command, program.example("zener"), *options, "--set", "amplitude=0"],
+                                "v* is 0 here")
+            self.assertIn("give --velocity", told)
+
+    def test_frequencies_are_named_as_they_were_given(self):
+        self.refused(2, ["eval", program.example("zener"), "--set", "frequency=1e308"],
+                     "--set frequency: found frequency = 1e+308; expected a finite value above 0, and 2 pi f within")
+
+    # A method has one name: "rkf45 rkf45 cannot go on".
+    def test_methods_say_their_name_once(self):
+        for method in ("rkf45", "rk8pd", "msbdf", "tanh"):
+            command = ["simulate", program.example("kelvin_rigid"), "--velocity", "1e308", "--method", method]
+            told = self.refused(3, command)
+            self.assertRegex(told, f"^{method} cannot go on")
+
+    # A motion that cannot begin is no comparison that failed. Random sets around such values were refused as the scene's.
+    def test_a_report_says_not_run(self):
+        scene = self.write(program.scene({"k": 1.5e308}, normal="k", amplitude=0.1, indentation=2))
+        self.out("validate", scene, "--out", "out")
+        report = json.loads((self.folder / "out/report.json").read_text())
+        compared = {each["key"]: each for each in report["scenes"][0]["comparisons"]}
+        self.assertEqual(compared["simulation"]["outcome"], "not run")
+        self.assertIn("leave the range of doubles", compared["simulation"]["detail"])
 
     # The force of friction, 1e-344 N, is no double; v* is.
     def test_a_speed_is_not_sought_in_an_endless_range(self):

@@ -92,6 +92,8 @@ class Plot(Case):
     def test_what_cannot_be_drawn_is_refused_before_a_file_is_there(self):
         self.refused(2, ["plot", ZENER, "--out", "picture.png"], 'found "picture.png"; expected a file ending in .svg or .pdf')
         self.refused(2, ["plot", ZENER, "--to", "-1 mm/s"], "expected a speed above 0")
+        for speed in ("1e308", "5e-324"):  # no room for the other speeds
+            self.refused(2, ["plot", ZENER, "--to", speed], "--to: found a speed of")
         self.refused(3, ["plot", example("inadmissible"), "--out", "picture.svg"], "the contact opens")
         self.refused(3, ["plot", SPHERE, "--of", "cycle", "--out", "picture.svg"], "an indenter has no single contact motion")
         self.refused(2, ["plot", ZENER, "--out", "picture.pdf"], "gnuplot", env={"PATH": "/nonexistent"})

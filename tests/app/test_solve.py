@@ -91,9 +91,21 @@ class Solve(Case):
             (["--for", "velocity"], "--friction-ratio"),
             (["--for", "velocity", "--friction-ratio", "0.9", "--from", "5 kHz"], "a velocity in m/s"),
             (["--for", "velocity", "--friction-ratio", "0.9", "--from", "-1"], "above 0"),
+            (["--for", "frequency", "--friction-ratio", "0.9", "--velocity", "1", "--from", "1e307", "--to", "1e308"],
+             "--to: found 1 × 10³⁰⁸ Hz; expected a finite value above 0, and 2 pi f within the range of doubles"),
+            (["--for", "frequency", "--friction-ratio", "0.9", "--velocity", "1", "--from", "1e-300", "--to", "1e300"],
+             "ends whose ratio is within the range of doubles"),
         ]:
             with self.subTest(question=question):
                 self.refused(2, ["solve", ELASTIC, *question], words)
+
+    # --to was named, which nobody had given.
+    def test_only_ends_that_were_given_are_wrong(self):
+        command = ["solve", ELASTIC, "--for", "amplitude", "--friction-ratio", "0.5", "--velocity", "1 mm/s"]
+        told = self.refused(2, [*command, "--from", "1 m"], "--from: found 1 m; expected a number below",
+                            "where the search ends")
+        self.assertNotIn("--to", told)
+        self.refused(2, [*command, "--from", "2 nm", "--to", "1 nm"], "--from, --to: found from 2 nm to 1 nm")
 
 
 if __name__ == "__main__":

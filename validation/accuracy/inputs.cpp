@@ -16,7 +16,10 @@ class Random {
   explicit Random(std::uint64_t seed) : engine_(seed) {}
   /// Even in [0, 1).
   double share() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-  double in_decade_around(double value) { return value * std::pow(10, share() - 0.5); }
+  double in_decade_around(double value) {
+    const double moved = value * std::pow(10, share() - 0.5);
+    return std::isinf(moved) || moved == 0 ? value : moved;
+  }
   /// 1e-2 to 1e-12, of either sign.
   double offset() {
     const double size = std::pow(10, -2 - 10 * share());

@@ -128,8 +128,11 @@ bool can_be_simulated(const Problem& problem) {
   return bool{rules::answer(rules::Question::report_stability, problem)};
 }
 
-bool is_too_large(const Problem& problem) {
+// A motion beyond the range of doubles is not large: its cell says that it has none.
+bool is_too_large(const Problem& problem) try {
   return can_be_simulated(problem) && is_large(simulation::system_of(problem));
+} catch (const ModelError&) {
+  return false;
 }
 
 }  // namespace

@@ -107,7 +107,8 @@ Border border_of(const SceneReport& report, const CriticalOnset& onset) {
   return border;
 }
 
-// Speeds just below and above v* are told apart by the v* of what marches, which a simulated one is.
+// Speeds just below and above v* are told apart by the v* of what marches, which a simulated one
+// is.
 Border border_of_march(const SceneReport& report, const Border& border) {
   if (!is_measured(report) || !by_formula(report)) return border;
   const double fitted = realised_velocity(report.problem).value;
@@ -194,7 +195,8 @@ void simulate(SceneReport& report, const symbolic::Derivation& derivation,
     report.comparisons.push_back(compare_periodic_motion(report));
     return;
   }
-  bool out_of_reach = false;
+  // Where no motion can begin there is nothing that could fail.
+  bool out_of_reach = !report.problem->indenter;
   try {
     if (report.problem->indenter) return examine_indenter(report, onset, witnesses);
     const simulation::System system = witnesses.system(report.problem);
@@ -237,7 +239,8 @@ Witnesses own_witnesses() {
           [](const Problem& problem) { return simulation::system_of(problem); },
           [](const Problem& problem) { return indenter::HalfSpace(problem); },
           [](const simulation::System& system) { return simulation::sliding_threshold(system); },
-          compare_march, method_curves};
+          compare_march,
+          method_curves};
 }
 
 SceneReport agree(Driver& driver, const symbolic::Derivation& formula, const Progress& progress,

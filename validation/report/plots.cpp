@@ -17,6 +17,7 @@
 #include "report/units.hpp"
 #include "rules/rulebook.hpp"
 #include "simulation/system/system.hpp"
+#include "stiffness/structure_check.hpp"
 
 namespace vcrit::validation::report {
 
@@ -29,9 +30,14 @@ constexpr int speeds = 160;
 // Beyond v*, so that one sees that nothing is gained there.
 constexpr double shown_beyond = 1.3;
 
+// The last of them, over the first.
+constexpr double span = 1000;
+
+bool can_be_divided(double to) { return to / span > 0 && std::isfinite(to * speeds); }
+
 /// Even, with more of them below v*, where friction rises ever faster.
 std::vector<double> speeds_up_to(double to, double onset) {
-  std::vector<double> all{to / 1000};
+  std::vector<double> all{to / span};
   for (int i = 1; i <= speeds; ++i) all.push_back(to * i / speeds);
   if (onset > 0 && onset < to) {
     for (double gap = 1.0 / 128; gap > 1e-4; gap /= 2) all.push_back(onset * (1 - gap));
@@ -42,15 +48,19 @@ std::vector<double> speeds_up_to(double to, double onset) {
 }
 
 double end_of_speeds(const CriticalOnset& onset, std::optional<double> to) {
-  if (to && !(*to > 0 && std::isfinite(*to)))
-    throw InputError(argument("to"), "a speed of " + rounded(*to, "m/s"), "a speed above 0");
+  if (to && !can_be_divided(*to))
+    throw InputError(argument("to"), "a speed of " + rounded(*to, "m/s"),
+                     "a speed above 0, with room for the picture's others within the range of "
+                     "doubles");
   if (to) return *to;
   if (std::isinf(onset.drive_velocity))
     throw ModelError(onset.reason + ": no speed ends the picture", "give the largest one, `to`");
   if (onset.drive_velocity == 0)
     throw ModelError("v* is 0: friction is the same at every speed, there is nothing to draw",
                      "give the largest speed, `to`");
-  return shown_beyond * onset.drive_velocity;
+  const double end = shown_beyond * onset.drive_velocity;
+  require_si_doubles(can_be_divided(end));
+  return end;
 }
 
 const std::string& title_or_file(const Problem& problem) {

@@ -77,8 +77,7 @@ void GslIntegrator::check(int status) const {
   const char* reason = !finite                 ? "the state is not finite"
                        : status == GSL_FAILURE ? "the steps that it needs are too short for doubles"
                                                : gsl_strerror(status);
-  throw ModelError(fmt::format("{} cannot go on: {}, at a step of {:.1g}/omega",
-                               gsl_odeiv2_step_name(driver_->s), reason, h_));
+  throw ModelError(fmt::format("cannot go on: {}, at a step of {:.1g}/omega", reason, h_));
 }
 
 void GslIntegrator::count() { budget_.effort.spend(std::exchange(work_, 0)); }

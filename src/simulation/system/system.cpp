@@ -29,12 +29,12 @@ void let_open(System& system, const Problem& problem) {
 }
 
 // Each number of a scene is right: what a system is refused for is what they came to.
-void require_number_range(const System& system) {
+template <class Work>
+void within_number_range(const Work& work) {
   try {
-    check_system(system);
+    work();
   } catch (const InputError&) {
-    throw ModelError("in SI units the numbers of this motion leave the range of doubles",
-                     "Eq. (24) needs none of them; for friction give values nearer to 1");
+    require_si_doubles(false);
   }
 }
 
@@ -171,9 +171,10 @@ System system_of(const Problem& problem) {
       contact_amplitude(problem) * dynamic_stiffness(normal, system.omega);
   if (problem->has_masses()) {
     const bool body = problem->mass.has_value();
-    hold_by(system, drive_structure(problem->drive_network()->network(), values,
-                                    body ? values.at(problem->mass->symbol) : 0,
-                                    body ? problem->mass->symbol : Symbol{}));
+    DriveStructure structure = drive_structure(problem->drive_network()->network(), values,
+                                               body ? values.at(problem->mass->symbol) : 0,
+                                               body ? problem->mass->symbol : Symbol{});
+    within_number_range([&] { hold_by(system, std::move(structure)); });
   } else if (const ReducedNetwork* drive = problem->drive_network()) {
     system.drive = relaxation_form(drive->network(), values);
     if (problem->mass) system.mass = values.at(problem->mass->symbol);
@@ -182,7 +183,7 @@ System system_of(const Problem& problem) {
     hold_by_table(system, *table,
                   problem->mass ? std::optional(values.at(problem->mass->symbol)) : std::nullopt);
   let_open(system, problem);
-  require_number_range(system);
+  within_number_range([&] { check_system(system); });
   return system;
 }
 
