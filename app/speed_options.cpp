@@ -7,6 +7,7 @@
 
 #include "answers/critical_onset.hpp"
 #include "base/errors.hpp"
+#include "base/rounded.hpp"
 #include "base/speeds.hpp"
 #include "base/units.hpp"
 #include "options.hpp"
@@ -46,7 +47,11 @@ Speed SpeedOptions::of(const Problem& problem) const {
   if (by_ratio) check_speed_ratio(ratio, {"--velocity-ratio"}, ratio_);
   const double velocity =
       by_ratio ? ratio * critical : parse_quantity(velocity_, Dimension::velocity, {"--velocity"});
-  check_speed(velocity, {by_ratio ? "--velocity-ratio" : "--velocity"});
+  if (by_ratio && !(velocity > 0 && std::isfinite(velocity)))
+    throw InputError({"--velocity-ratio"}, ratio_,
+                     fmt::format("a ratio to v* = {} whose speed is within the range of doubles",
+                                 rounded(critical, "m/s")));
+  if (!by_ratio) check_speed(velocity, {"--velocity"});
   return {velocity, velocity / critical, critical};
 }
 

@@ -165,7 +165,8 @@ class Motion(Case):
 
     # --drive.lead.equilibrium was refused, which no command has.
     def test_springs_of_a_drive_with_masses_may_be_too_stiff_together(self):
-        scene = program.scene({"k": 8, "ka": 1.5e308, "kb": 1.5e308, "k2": 3, "m2": 1}, normal="k", network="(ka | kb) - (mass(m2) | k2)")
+        scene = program.scene({"k": 8, "ka": 1.5e308, "kb": 1.5e308, "k2": 3, "m2": 1}, normal="k",
+                              network="(ka | kb) - (mass(m2) | k2)")
         self.refused(3, ["simulate", self.write(scene), "--velocity", "1"], "leave the range of doubles")
 
     # It was said that v* is 0.
@@ -179,6 +180,12 @@ class Motion(Case):
                                 "v* is 0 here")
             self.assertIn("give --velocity", told)
 
+    # A speed of ∞ was found, which nobody had given.
+    def test_a_ratio_beyond_doubles_is_repeated(self):
+        told = self.refused(2, ["simulate", program.example("zener"), "--set", "mu0=1e12", "--velocity-ratio", "1e300"],
+                            "--velocity-ratio: found 1e300; expected a ratio to v* = ")
+        self.assertNotIn("∞", told)
+
     def test_frequencies_are_named_as_they_were_given(self):
         self.refused(2, ["eval", program.example("zener"), "--set", "frequency=1e308"],
                      "--set frequency: found frequency = 1e+308; expected a finite value above 0, and 2 pi f within")
@@ -190,7 +197,8 @@ class Motion(Case):
             told = self.refused(3, command)
             self.assertRegex(told, f"^{method} cannot go on")
 
-    # A motion that cannot begin is no comparison that failed. Random sets around such values were refused as the scene's.
+    # A motion that cannot begin is no comparison that failed. Random sets around such values were refused as those of
+    # the scene.
     def test_a_report_says_not_run(self):
         scene = self.write(program.scene({"k": 1.5e308}, normal="k", amplitude=0.1, indentation=2))
         self.out("validate", scene, "--out", "out")

@@ -89,6 +89,10 @@ class Plot(Case):
         panel, = self.picture(self.write(text))
         self.assertEqual(panel.title, "<b>&\"\N{REPLACEMENT CHARACTER} ]]> {{x}} 'Zener contact under an elastic drive")
 
+    # Its upper end was refused: "omega: found inf rad/s".
+    def test_frequencies_end_within_the_range_of_doubles(self):
+        self.out("plot", ZENER, "--over", "frequency", "--set", "frequency=1e307")
+
     def test_what_cannot_be_drawn_is_refused_before_a_file_is_there(self):
         self.refused(2, ["plot", ZENER, "--out", "picture.png"], 'found "picture.png"; expected a file ending in .svg or .pdf')
         self.refused(2, ["plot", ZENER, "--to", "-1 mm/s"], "expected a speed above 0")

@@ -112,7 +112,9 @@ FrequencyRange range_of(const Problem& problem, const Values& values) {
   if (problem->drive_network() != nullptr)
     include_relaxation(range, problem->drive_network()->network(), values);
   include_resonances(range, problem, values);
-  return {range.from / 100, range.to * 100};
+  // Within the range of doubles.
+  const double from = range.from / 100, to = range.to * 100;
+  return {from > 0 ? from : range.from, std::isfinite(to) ? to : range.to};
 }
 
 std::vector<double> even_steps(const FrequencyRange& range) {
