@@ -199,18 +199,24 @@ class Names(Evaluated):
         self.cases_of("maple", systems.MAPLE, 100)
 
     def test_that_read_alike_stay_apart(self):
-        values = {"beta": 1.5, "beta_": 2.5, "beta_2": 3.25, "k1": 4.5, "k_1": 1.25, "S": 2.25, "S_": 3.5, "E": 1.125, "e": 5.5,
-                  "k_n": 2.75, "K_n": 1.75, "s": 6.5, "i": 3.75, "I": 1.0625, "kn": 2.0625}
-        scene = self.scene(values | {"k": [7.5, 8.25], "tau": [0.5, 0.75]}, normal="prony(k1, k, tau) | k_1 | "
-                           + " | ".join(f"spring({name})" for name in values if name not in ("k1", "k_1", "s", "i", "I", "E")),
-                           tangential="spring(i) | damper(s)", network="spring(E) | damper(I)", mass=1.375, coefficient=0.375,
-                           angular_frequency=2.5, amplitude=0.125)
-        given = values | {"k[1]": 7.5, "k[2]": 8.25, "tau[1]": 0.5, "tau[2]": 0.75, "m": 1.375, "mu0": 0.375, "omega": 2.5,
-                          "du_z": 0.125}
-        given = {name: mp.mpf(value) for name, value in given.items()}
-        expected = mp.mpf(self.answer("eval", scene)["critical_velocity"])
-        cases = [({each: self.out("derive", scene, "--format", each, "--form", form) for each in FORMATS}, given, expected)
-                 for form in ("shortest", "storage-loss", "nested", "rational", "dimensionless", "expanded")]
+        """In two scenes, as a rational form grows with the square of the number of springs."""
+        springs = lambda *names: " | ".join(f"spring({name})" for name in names)
+        letters = {"beta": 1.5, "beta_": 2.5, "beta_2": 3.25, "S": 2.25, "S_": 3.5, "E": 1.125, "e": 5.5, "s": 6.5}
+        indices = {"k1": 4.5, "k_1": 1.25, "k_n": 2.75, "K_n": 1.75, "kn": 2.0625, "i": 3.75, "I": 1.0625}
+        arrays = {"k": [7.5, 8.25], "tau": [0.5, 0.75]}
+        usual = {"m": 1.375, "mu0": 0.375, "omega": 2.5, "du_z": 0.125}
+        entries = {f"{name}[{j}]": value for name, values in arrays.items() for j, value in enumerate(values, 1)}
+        cases = []
+        for elements, given, parts in (
+                (letters, letters, {"normal": springs("beta", "beta_", "beta_2", "S", "S_"),
+                                    "tangential": "spring(e) | damper(s)", "network": "spring(E)"}),
+                (indices | arrays, indices | entries, {"normal": "prony(k1, k, tau) | " + springs("k_1", "k_n", "K_n", "kn"),
+                                                       "tangential": "spring(i)", "network": "damper(I)"})):
+            scene = self.scene(elements, **parts, mass=1.375, coefficient=0.375, angular_frequency=2.5, amplitude=0.125)
+            values = {name: mp.mpf(value) for name, value in (given | usual).items()}
+            expected = mp.mpf(self.answer("eval", scene)["critical_velocity"])
+            cases += [({each: self.out("derive", scene, "--format", each, "--form", form) for each in FORMATS}, values, expected)
+                      for form in ("shortest", "storage-loss", "nested", "rational", "dimensionless", "expanded")]
         self.check_by_grammar(cases)
         self.check_by_systems(cases)
 
