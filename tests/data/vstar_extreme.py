@@ -169,13 +169,15 @@ def answers(row):
     inertia = m * w * w
     d = ks + real(-inertia)
     n = kx + d
-    sizes = [decimal(root(z.square()), 20) for z in (kx, kz, d, n)]
-    above = (mu0 * w * duz)**2 * kz.square() * n.square()
-    below = kx.square() * d.square()
+    squares = [z.square() for z in (kx, kz, d, n)]
+    roots = [root(square) for square in squares]
+    sizes = [decimal(each, 20) for each in roots]
+    above = (mu0 * w * duz)**2 * squares[1] * squares[3]
+    below = squares[0] * squares[2]
     kappas = ["nan", "nan"]
     if d and n:
-        kappas = [short((re + inertia) / root(z.square()))
-                  for re, z in ((ks.real(), d), (kx.real() + ks.real(), n))]
+        kappas = [short((re + inertia) / size)
+                  for re, size in ((ks.real(), roots[2]), (kx.real() + ks.real(), roots[3]))]
     if below == 0:
         return ["undefined" if above == 0 else "pole", "nan" if above == 0 else "inf", "nan" if above == 0 else "inf",
                 *kappas, *sizes]
