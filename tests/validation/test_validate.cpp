@@ -24,8 +24,16 @@ namespace {
 
 const std::string scenes = VCRIT_SCENES;
 
-report::Validation run(const std::vector<std::string>& files, const fs::path& directory) {
-  return report::validate({files, directory, {}}, [](const Standing&) {});
+report::Validation run(const std::vector<std::string>& files, const fs::path& directory,
+                       const fs::path& figures = {}) {
+  return report::validate({files, directory, figures}, [](const Standing&) {});
+}
+
+void check_figures(const fs::path& folder) {
+  BOOST_TEST(read_file(folder / "critical_velocity.svg").find("<svg") != std::string::npos);
+  BOOST_TEST(read_file(folder / "critical_velocity.pdf").rfind("%PDF", 0) == 0u);
+  BOOST_TEST(fs::exists(folder / "critical_velocity.gp"));
+  BOOST_TEST(fs::exists(folder / "friction.svg"));
 }
 
 ordered_json comparison(const ordered_json& scene, const std::string& key) {
@@ -37,9 +45,11 @@ ordered_json comparison(const ordered_json& scene, const std::string& key) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(a_rigid_scene_passes_everything) {
+// The figures of one scene are in the folder that they are asked for in.
+BOOST_AUTO_TEST_CASE(a_rigid_scene_passes_everything_and_is_drawn) {
   const PrivateFolder folder;
-  const auto validation = run({scenes + "/elastic.toml"}, folder.path() / "new" / "out");
+  const auto validation =
+      run({scenes + "/elastic.toml"}, folder.path() / "new" / "out", folder.path() / "one");
   BOOST_TEST(validation.passed);
   BOOST_TEST(validation.failed.empty());
   BOOST_TEST(validation.not_run.empty());
@@ -52,6 +62,7 @@ BOOST_AUTO_TEST_CASE(a_rigid_scene_passes_everything) {
     BOOST_TEST(comparison(scene, key)["outcome"] == "passed", key);
   BOOST_TEST(scene["friction_curve"].size() >= 40u);
   BOOST_TEST(scene["cycle"]["points"].size() >= 100u);
+  check_figures(folder.path() / "one");
 }
 
 // The scene itself, and its normal contact over one spring, whose evaluator the page's reader
@@ -214,11 +225,12 @@ BOOST_AUTO_TEST_CASE(missing_values_are_told_before_anything_is_computed) {
 }
 
 // Formula, evaluation and evaluators are compared, and the motion: of a measured drive that of the
-// structure which is fitted to its table.
-BOOST_AUTO_TEST_CASE(a_drive_with_masses_is_simulated_and_a_measured_one_as_well) {
+// structure which is fitted to its table. Figures of several scenes are in a folder for each, as
+// their pages are called.
+BOOST_AUTO_TEST_CASE(a_drive_with_masses_is_simulated_and_drawn_and_a_measured_one_as_well) {
   const PrivateFolder folder;
-  const auto validation =
-      run({scenes + "/sonotrode.toml", scenes + "/measured_drive.toml"}, folder.path());
+  const auto validation = run({scenes + "/sonotrode.toml", scenes + "/measured_drive.toml"},
+                              folder.path(), folder.path() / "two");
   BOOST_TEST(validation.passed);
   BOOST_TEST(validation.not_run.empty());
   const ordered_json report = record::read_json(read_file(folder.path() / "report.json"));
@@ -231,6 +243,8 @@ BOOST_AUTO_TEST_CASE(a_drive_with_masses_is_simulated_and_a_measured_one_as_well
     for (const char* motion : {"balance", "simulation", "marched", "starts"})
       BOOST_TEST(comparison(scene, motion)["outcome"] == "passed", motion);
   }
+  for (const char* name : {"sonotrode", "measured_drive"})
+    check_figures(folder.path() / "two" / name);
 }
 
 // Not even where v* has no formula, where the contact opens, and where a body on a soft spring
@@ -250,25 +264,6 @@ BOOST_AUTO_TEST_CASE(nothing_is_left_out_of_indenters_on_drives_of_what_opens_or
              "the evaluator of the contact that stays closed");
   BOOST_TEST(comparison(pin, "marched")["name"] ==
              "marched by rk8pd: starts in sliding stick at 0.999 v* and slide at 1.001 v*");
-}
-
-// Of one scene in the folder itself, of several in a folder for each, as their pages are called.
-BOOST_AUTO_TEST_CASE(figures_are_written_where_they_are_asked_for) {
-  const PrivateFolder folder;
-  const std::string elastic = scenes + "/elastic.toml", drive = scenes + "/measured_drive.toml";
-  const auto draw = [&](const std::vector<std::string>& files, const fs::path& to) {
-    report::validate({files, folder.path() / "out", to}, [](const Standing&) {});
-  };
-  const fs::path one = folder.path() / "one", two = folder.path() / "two";
-  draw({drive}, one);
-  draw({elastic, drive}, two);
-  for (const fs::path& at : {one, two / "elastic", two / "measured_drive"}) {
-    BOOST_TEST(read_file(at / "critical_velocity.svg").find("<svg") != std::string::npos);
-    BOOST_TEST(read_file(at / "critical_velocity.pdf").rfind("%PDF", 0) == 0u);
-    BOOST_TEST(fs::exists(at / "critical_velocity.gp"));
-  }
-  BOOST_TEST(fs::exists(two / "elastic" / "friction.svg"));
-  BOOST_TEST(fs::exists(one / "friction.svg"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
