@@ -22,6 +22,8 @@ FRICTION = [ZENER, "--over", "k1=lin:1e6:9e6:30", "--over", "amplitude=lin:0.01 
             "velocity_ratio=lin:0.2:1.2:50", "--quantity", "friction_ratio", "regime"]
 # Some seconds: long enough to be caught in the middle.
 LONGER = [word.replace(":30", ":90").replace(":20", ":40") for word in FRICTION]
+# On one thread it takes most of a second, in which others begin.
+ON_ONE = [word.replace(":30", ":50").replace(":20", ":30") for word in FRICTION] + ["--threads", "1"]
 VELOCITY = [ZENER, "--over", "frequency=log:1 kHz:1 MHz:2000", "--over", "k1=lin:1e6:8e6:2500", "--quantity",
             "critical_velocity"]
 # A few blocks: the file's beginning and end are what is at stake. Above v* nothing is simulated; v* tells rows apart, and

@@ -18,7 +18,7 @@ import h5py
 import numpy
 import xarray
 
-from map_cases import (Case, ENVIRONMENT, FRICTION, LONGER, PROGRAM, SANITIZED, VELOCITY, WITH_MPI, ZENER,
+from map_cases import (Case, ENVIRONMENT, FRICTION, LONGER, ON_ONE, PROGRAM, SANITIZED, VELOCITY, WITH_MPI, ZENER,
                        command, sweep, with_fault)
 
 
@@ -194,11 +194,11 @@ class Array(Case):
                                 "reason": ""})
 
     def test_progress_is_shown_on_a_terminal_alone(self):
-        # A second or two; the line comes after a quarter of one. Without a terminal there are warnings at most.
+        # Most of a second; the line comes after a quarter of one. Without a terminal there are warnings at most.
         stderr = self.TOLD[self.whole(LONGER, ".h5")]
         self.assertEqual([line for line in stderr.splitlines() if not line.startswith("vcrit: warning:")], [])
         controller, terminal = pty.openpty()
-        process = subprocess.Popen(command([*LONGER, "--out", str(self.folder / "b.h5")]), stderr=terminal)
+        process = subprocess.Popen(command([*ON_ONE, "--out", str(self.folder / "b.h5")]), stderr=terminal)
         os.close(terminal)
         shown = b""
         while True:
@@ -208,7 +208,7 @@ class Array(Case):
                 break
         self.assertEqual(process.wait(60), 0)
         os.close(controller)
-        self.assertRegex(shown.decode(), r"\d+\.\d % of 180000 points, [0-9.e+]+ a second, \d+ s left")
+        self.assertRegex(shown.decode(), r"\d+\.\d % of 75000 points, [0-9.e+]+ a second, \d+ s left")
         self.assertIn(b"\r\x1b[Kvcrit: warning:", shown)
 
     @unittest.skipIf(SANITIZED, "the sanitizer keeps what is freed")

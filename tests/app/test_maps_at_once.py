@@ -7,10 +7,7 @@ import unittest
 from pathlib import Path
 
 import scene_text
-from map_cases import Case, FRICTION, PROGRAM, ZENER, command, sweep
-
-# On one thread it takes most of a second, in which others begin.
-ON_ONE = [word.replace(":30", ":50").replace(":20", ":30") for word in FRICTION] + ["--threads", "1"]
+from map_cases import Case, ON_ONE, PROGRAM, ZENER, command, sweep
 
 
 class ProgramOfItsOwn(Case):
