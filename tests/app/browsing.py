@@ -33,6 +33,15 @@ CHARTS = """return [...document.querySelectorAll('.chart')].map((chart) => {
     };
 })"""
 
+# On a sheet: the least size of words in its drawing and charts, in points, and how far anything reaches, in pixels.
+ON_PAPER = """dispatchEvent(new Event('beforeprint'));
+    const sizes = (selector) => [...document.querySelectorAll(selector)].filter((text) => text.textContent.trim() && text.checkVisibility())
+        .map((text) => 0.75 * Math.hypot(text.getScreenCTM().a, text.getScreenCTM().b) * parseFloat(getComputedStyle(text).fontSize));
+    const found = [Math.min(...sizes('.system text')), Math.min(...sizes('.chart text')), document.documentElement.scrollWidth];
+    dispatchEvent(new Event('afterprint'));
+    return found;"""
+SHEET = round((210 - 2 * 12) * 96 / 25.4)  # of A4 between margins of 12 mm
+
 
 def lightness(colour):
     """CIE L* of "#rrggbb"."""
@@ -72,6 +81,19 @@ def draw_charts(driver):
         return driver.execute_script(DRAWN)
 
     WebDriverWait(driver, PATIENCE).until(drawn)
+
+
+def check_paper(test, driver):
+    """Chromium makes a page smaller that is wider than the sheet, and all its words with it."""
+    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    test.addCleanup(driver.execute_cdp_cmd, "Emulation.setEmulatedMedia", {"media": ""})
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+        "width": SHEET, "height": 1000, "deviceScaleFactor": 1, "mobile": False})
+    drawing, charts, width = driver.execute_script(ON_PAPER)
+    test.assertGreaterEqual(drawing, 6)
+    test.assertGreaterEqual(charts, 6)
+    test.assertLessEqual(width, SHEET)
+    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
 
 
 def number(words):

@@ -13,12 +13,14 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import WebDriverWait
 
-from browsing import PATIENCE, browser, draw_charts, load
+from browsing import PATIENCE, browser, check_paper, draw_charts, load
 from program import PROGRAM, PROJECT
 
 SCENES = ["zener", "prony", "kelvin_rigid"]
 OUTSIDE = ["inadmissible"]
 MORE = ["sphere", "bridge", "tribometer"]
+PHONE = 390  # pixels
+
 
 class Browser(unittest.TestCase):
     @classmethod
@@ -46,12 +48,13 @@ class Browser(unittest.TestCase):
     def run_script(self, text, *arguments):
         return self.browser.execute_script(text, *arguments)
 
-    def open(self, name):
+    def open(self, name, draw=True):
         for kind in ["browser", "performance"]:
             self.browser.get_log(kind)  # what was left of other pages
         page = f"more/{name}" if name in OUTSIDE + MORE else name
         load(self.browser, (self.report / f"{page}.html").as_uri())
-        draw_charts(self.browser)
+        if draw:
+            draw_charts(self.browser)
 
     def width(self, pixels):
         self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
@@ -107,7 +110,7 @@ class Browser(unittest.TestCase):
 
     # On a system without a font for mathematics browsers have no glyphs for U+1D400 to U+1D7FF, as which they show a single
     # letter unless the page says otherwise.
-    def test_formulas_need_no_font_for_mathematics(self):
+    def check_formulas(self):
         # What innerText says is what is shown, capitals of text-transform and mathematical letters included. Words and Δ are upright.
         letters = r"""const all = [...document.querySelectorAll('math mi')];
             document.querySelectorAll('details').forEach((each) => { each.open = true; });
@@ -118,31 +121,32 @@ class Browser(unittest.TestCase):
         scrolled = """return [...document.querySelectorAll('.scroll')].filter((e) =>
             e.scrollHeight > e.clientHeight && getComputedStyle(e).overflowY !== 'hidden' ||
             e.scrollWidth > e.clientWidth && e.scrollWidth < e.clientWidth + 3).map((e) => e.textContent)"""
+        found, shown, transformed, of_other_style = self.run_script(letters)
+        self.assertEqual(self.run_script(scrolled), [], "a formula has a scroll bar for nothing")
+        self.assertGreater(found, 3)
+        self.assertEqual((shown, transformed, of_other_style), (0, 0, []))
+
+    def check_phone(self):
+        self.assertLessEqual(self.run_script("return document.documentElement.scrollWidth"), PHONE)
+        lefts = self.run_script("return [...document.querySelectorAll('.explorer-parameters input[type=text]')].map("
+                                "(field) => Math.round(field.getBoundingClientRect().left))")
+        self.assertLessEqual(len(set(lefts)), 1, "the fields stand in one column")
+
+    # Loaded on a phone, and then shown on a desk.
+    def test_a_phone_shows_all_without_scrolling_sideways_and_formulas_need_no_font_for_mathematics(self):
         pages = {"document": ["scenes/prony.toml", "--format", "html"], "material": ["scenes/prony.toml", "--material"], "catalogue": ["--catalogue"]}
         for name, words in pages.items():
             with open(self.report / f"{name}.html", "wb") as page:
                 subprocess.run([PROGRAM, "derive", *words], cwd=PROJECT, check=True, stdout=page)
-        for name in [*SCENES, *MORE, "compiled/zener.evidence", "paper/index", *pages]:
+        for name in [*SCENES, *MORE, "index", "compiled/zener.evidence", "paper/index", *pages]:
+            self.width(PHONE)
             with self.subTest(page=name):
                 self.open(name)
-                found, shown, transformed, of_other_style = self.run_script(letters)
-                self.assertEqual(self.run_script(scrolled), [], "a formula has a scroll bar for nothing")
-                self.assertGreater(found, 3)
-                self.assertEqual((shown, transformed, of_other_style), (0, 0, []))
-        self.width(390)
-        for name in pages:
-            self.open(name)
-            self.assertLessEqual(self.run_script("return document.documentElement.scrollWidth"), 390, name)
-
-    def test_a_phone_shows_all_without_scrolling_sideways(self):
-        self.width(390)
-        for name in [*SCENES, *MORE, "index", "compiled/zener.evidence", "paper/index"]:
-            with self.subTest(page=name):
-                self.open(name)
-                self.assertLessEqual(self.run_script("return document.documentElement.scrollWidth"), 390)
-                lefts = self.run_script("return [...document.querySelectorAll('.explorer-parameters input[type=text]')].map("
-                                        "(field) => Math.round(field.getBoundingClientRect().left))")
-                self.assertLessEqual(len(set(lefts)), 1, "the fields stand in one column")
+                self.check_phone()
+                if name != "index":  # has no formula
+                    self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+                    WebDriverWait(self.browser, PATIENCE).until(lambda _: self.run_script("return innerWidth") > PHONE)
+                    self.check_formulas()
 
     def brightness(self, selector, style):
         rgb = self.run_script("return getComputedStyle(document.querySelector(arguments[0]))[arguments[1]]",
@@ -176,6 +180,11 @@ class Browser(unittest.TestCase):
         self.run_script("dispatchEvent(new Event('afterprint'))")
         self.assertEqual(self.run_script(folded), before)
         self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+
+    # The limits of its scene are wider than a sheet.
+    def test_words_on_paper_can_be_read(self):
+        self.open("bridge", draw=False)
+        check_paper(self, self.browser)
 
     def test_the_keyboard_reaches_what_can_be_used(self):
         self.open("zener")
