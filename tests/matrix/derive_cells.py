@@ -1,6 +1,7 @@
 """The columns of `derive` with a form and a format. In each column the command prints some of the kinds, by turns; all
 cells are printed by the library in one process, which has the very bytes of those that the command prints."""
 
+import functools
 import sys
 
 import formulas
@@ -11,7 +12,8 @@ PRINT_DOCUMENTS = sys.argv.pop(1)
 TURNS = 12  # of which the command has one: some three cells of each kind, and six of each column
 
 
-def printed_by_library(columns):
+@functools.cache
+def printed_by_library(*columns):
     """{(kind, column): document} of all cells that have one."""
     asked = {}
     for column in columns:
@@ -26,7 +28,7 @@ def printed_by_library(columns):
 
 
 def derive(test, columns):
-    library = printed_by_library(columns)
+    library = printed_by_library(*columns)
 
     def cell(kind, column):
         _, form, form_of_text = column.split("/")

@@ -32,10 +32,10 @@ LANGUAGES, METHODS = choices("generate", "language"), choices("simulate", "metho
 STARTS, UNKNOWNS = choices("simulate", "start"), choices("solve", "for")
 QUANTITIES, PICTURES = choices("sweep", "quantity"), choices("plot", "of")
 PYTHON = ("critical_velocity", "critical_onset", "simulate", "friction_curve", "derive")
+DERIVED = [f"derive/{form}/{each}" for form in FORMS for each in DOCUMENTS] + [f"derive/shortest/{each}" for each in SYSTEMS]
 COLUMNS = {
     "eval": ["eval"],
-    "derive": [f"derive/{form}/{each}" for form in FORMS for each in DOCUMENTS]
-              + [f"derive/shortest/{each}" for each in SYSTEMS] + ["derive/limits", "derive/sensitivities", "derive/equal"],
+    "derive": [*DERIVED, "derive/limits", "derive/sensitivities", "derive/equal"],
     "generate": [f"generate/{each}" for each in LANGUAGES] + ["generate/quantities", "generate/fix"],
     "simulate": [f"simulate/{each}" for each in METHODS + STARTS],
     "critical": ["critical"], "explore": ["explore"],
@@ -54,7 +54,7 @@ OTHER_COMMANDS = {"fit", "new"}  # read no scene
 
 @functools.cache
 def derived(kind):
-    return json.loads(run("derive", scene(kind), "--json").stdout)
+    return json.loads(derive_cells.printed_by_library(*DERIVED)[kind, "derive/shortest/json"])
 
 
 class Matrix(Cells, unittest.TestCase):
@@ -104,7 +104,7 @@ class Matrix(Cells, unittest.TestCase):
             self.near(answer["sliding_from"], value * share, (4 * U + 2e-12) * float(value))
 
     def test_derive(self):
-        derive_cells.derive(self, [column for column in COLUMNS["derive"] if column.count("/") == 2])
+        derive_cells.derive(self, DERIVED)
 
     def test_limits(self):
         self.over(["derive/limits"], self.limits)
