@@ -1,4 +1,4 @@
-"""What the README and the pages of docs show is what the program prints, to the byte.
+"""What the README and the pages of docs show is what the program prints, to the byte; they name all quantities of sweeps.
 
 In its console blocks, lines after "$ " are commands, run in the project's folder, and the lines up to
 the next one are what each prints on standard output. The C++ program of docs/evaluators.md is compiled against the
@@ -89,6 +89,14 @@ class Readme(unittest.TestCase):
     def test_shows_a_program_that_prints_what_it_says(self):
         generate, name, source, output = PROGRAM_BLOCK.search(EVALUATORS.read_text()).groups()
         self.assertEqual(output, printed_by_program(generate, name, source))
+
+    def test_pages_about_sweeps_name_every_quantity(self):
+        names = re.search(r"--quantity \{([^}]*)\}", printed("vcrit sweep --help"))[1].split(",")
+        self.assertGreater(len(names), 5)
+        for page in ["commands.md", "maps.md"]:
+            text = (PROJECT / "docs" / page).read_text()
+            for name in names:
+                self.assertIn(f"`{name}`", text, page)
 
     def test_every_line_belongs_to_a_command(self):
         for block in sum(self.blocks.values(), []):
