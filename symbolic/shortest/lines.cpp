@@ -78,6 +78,24 @@ std::optional<Form> power_above(const Form& below) {
   return turned;
 }
 
+/// omega^2 of the omega that leads v* and that of a damper c omega: equal names, neighbours once
+/// sorted, are one power.
+void join_equal_names(std::vector<Form>& factors) {
+  for (std::size_t i = 0; i + 1 < factors.size(); ++i) {
+    const auto equal = [&](std::size_t j) {
+      return j < factors.size() && factors[j].kind == Form::Kind::name &&
+             factors[j].text == factors[i].text;
+    };
+    std::size_t end = i;
+    while (equal(end)) ++end;
+    if (end < i + 2) continue;
+    Form power{Form::Kind::power, "", {factors[i]}, {}, {}, static_cast<int>(end - i)};
+    factors.erase(factors.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                  factors.begin() + static_cast<std::ptrdiff_t>(end));
+    factors[i] = std::move(power);
+  }
+}
+
 /// mu0 omega^2 du_z
 void put_behind_mu0(std::vector<Form>& factors) {
   const auto is_power = [](const Form& factor) {
@@ -365,6 +383,8 @@ Form Lines::product(const FormulaStep& step) const {
   }
   std::sort(over.begin(), over.end(), before);
   std::sort(under.begin(), under.end(), before);
+  join_equal_names(over);
+  join_equal_names(under);
   put_behind_mu0(over);
   if (over.empty() && under.size() == 1)
     if (std::optional<Form> turned = power_above(under[0])) return *std::move(turned);

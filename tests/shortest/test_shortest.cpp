@@ -220,6 +220,11 @@ BOOST_AUTO_TEST_CASE(formulas_read_as_people_write_them) {
   BOOST_TEST(text_for(scene_of("normal = \"k0 | (c1 - c2 - c3)\"\npoisson = \"nu\"", "kd")) ==
              "g = (2 - nu)/(2*(1 - nu)); "
              "v* = mu0*omega*du_z*sqrt((g + k0/kd)^2 + (omega/(kd/c1 + kd/c2 + kd/c3))^2)");
+  // omega of the prefactor and of a damper.
+  BOOST_TEST(text_for(scene_of("normal = \"cn\"\ntangential = \"kt\"")) ==
+             "v* = mu0*omega^2*du_z*cn/kt");
+  BOOST_TEST(text_for(scene_of("normal = \"cn\"\ntangential = \"kt\"", "kd", "m")) ==
+             "v* = mu0*omega^2*du_z*cn*abs(1/kt + 1/(kd - m*omega^2))");
   // omega cancels.
   BOOST_TEST(text_for(scene_of("normal = \"kn | cn\"\ntangential = \"k1 - c1\"", "kd")) ==
              "W = omega*c1; "
