@@ -185,6 +185,7 @@ StiffnessExtremes extremes(const Network& network) {
   const Fraction k = stiffness_in_lowest_terms(network);
   const ex under = coefficient(k.denominator, 0);
   const ex at_rest = factored(coefficient(k.numerator, 0) / under);
+  if (!is_rational(network)) return {at_rest, 0, 0, 0};
   const bool flows = at_rest.is_zero();
   const bool damped = degree_in_s(k.numerator) > degree_in_s(k.denominator);
   return {at_rest, flows ? factored(coefficient(k.numerator, 1) / under) : ex(0),

@@ -51,7 +51,8 @@ Response response(const Network& network);
 /// which a formula is readable.
 Fraction stiffness_in_lowest_terms(const Network& network);
 
-/// What a lasting load and a sudden one meet, in a network without masses.
+/// What a lasting load and a sudden one meet, in a network without masses. A loss factor is no law
+/// of a sudden load: beside it only the stiffness at rest is one.
 struct StiffnessExtremes {
   Expression equilibrium;  ///< K(0) (N/m); 0 for what flows
   Expression viscosity;    ///< K(s)/s for s to 0 (N s/m), of what flows, else 0

@@ -198,6 +198,8 @@ BOOST_AUTO_TEST_CASE(rest_and_the_first_moment) {
   BOOST_TEST((texts("k0 | (k1 - c1)") == Texts{"k0", "0", "k0 + k1", "0"}));
   BOOST_TEST((texts("c0 | (k1 - c1)") == Texts{"0", "c0 + c1", "0", "c0"}));
   BOOST_TEST((texts("k1 - c1 - (k2 | c2)") == Texts{"0", "c1", "k1", "0"}));
+  // K = k (1 + i eta) at every frequency: no damper, whose K(s)/s would depend on omega.
+  BOOST_TEST((texts("lossy(k, eta)") == Texts{"k", "0", "0", "0"}));
 }
 
 // Compliance of a Burgers liquid: 1/k1 + 1/(c1 s) + 1/(k2 + c2 s); the denominator of K is
