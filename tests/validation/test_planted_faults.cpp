@@ -246,6 +246,35 @@ BOOST_AUTO_TEST_CASE(a_speed_of_zero_or_infinity_that_is_none_is_red) {
   }
 }
 
+// kd = m omega^2 as typed, but m is no double: of the doubles v* is 1e14 m/s, which nothing can be
+// held against. The page says what vcrit eval says of the numbers as typed.
+BOOST_AUTO_TEST_CASE(a_resonance_as_typed_is_one_on_the_page) {
+  const auto report_of = [](double kn, double kd) {
+    const test::SceneText scene{.tangential_ratio = 1,
+                                .network = "kd",
+                                .mass = "1 g",
+                                .angular_frequency = 1e5,
+                                .amplitude = 1e-7,
+                                .indentation = 5e-7,
+                                .coefficient = 0.3,
+                                .elements = {{"kn", kn}, {"kd", kd}}};
+    return heard(compared_witnesses(),
+                 symbolic::derive(parse_problem(test::to_toml(scene), "typed.toml")));
+  };
+  const SceneReport resonance = report_of(8e6, 1e7);
+  BOOST_TEST(std::isfinite(resonance.velocity_of_doubles));
+  BOOST_TEST((resonance.effect->kind == Effect::Kind::all_speeds));
+  const SceneReport antiresonance = report_of(4e6, 6e6);
+  BOOST_TEST(antiresonance.velocity_of_doubles > 0);
+  BOOST_TEST((antiresonance.effect->kind == Effect::Kind::never));
+  for (const SceneReport& report : {resonance, antiresonance}) {
+    BOOST_TEST(passed(report));
+    BOOST_TEST((outcome(*std::ranges::find(report.comparisons, "periodic", &Comparison::key)) ==
+                Comparison::Outcome::not_run));
+    BOOST_TEST(report.influences.empty());
+  }
+}
+
 // Its body swings freely at twice the frequency: friction is full from 0.707 of Eq. 24 on.
 BOOST_AUTO_TEST_CASE(a_border_that_is_not_that_of_the_formula_is_red) {
   const Scene free_swing = read_scene(VCRIT_TEST_DATA "/undamped/undamped_harmonic_2.toml");

@@ -163,12 +163,12 @@ std::string why_no_march(const SceneReport& report) {
   return {};
 }
 
-// v* as the program answers it. Nothing where it refuses: then the scene is outside the model here,
-// too, for that reason.
-std::optional<CriticalOnset> answered_onset(SceneReport& report) {
+// v* of these numbers as the program answers it. Nothing where it refuses: then the scene is
+// outside the model here, too, for that reason.
+std::optional<CriticalOnset> answered_onset(SceneReport& report, const Problem& numbers) {
   if (!report.reasons.empty()) return std::nullopt;
   try {
-    return critical_onset(report.problem);
+    return critical_onset(numbers);
   } catch (const ModelError& error) {
     report.reasons.emplace_back(error.what());
     return std::nullopt;
@@ -222,7 +222,7 @@ void simulate(SceneReport& report, const symbolic::Derivation& derivation,
     progress("tracing the friction curve");
     trace_curve(report, system, drive_velocity);
     report.cycle = steady_cycle(system, 0.5 * drive_velocity);
-    report.cycle->ratio = 0.5;
+    report.cycle->ratio = std::isfinite(finite) ? 0.5 : 0;
     progress("simulating by other methods");
     report.methods = witnesses.curves(system, drive_velocity);
     report.reduced_model = reduced_model(report.problem);
@@ -251,9 +251,12 @@ SceneReport agree(Driver& driver, const symbolic::Derivation& formula, const Pro
   const Values& values = problem.values();
   SceneReport report(problem);
   report.reasons = inadmissible_reasons(problem);
-  const std::optional<CriticalOnset> onset = answered_onset(report);
-  report.formula_applies =
-      report.reasons.empty() && rules::answer(rules::Question::formula, problem);
+  // What is said of the scene is what vcrit eval says: of the numbers as typed. Next to a resonance
+  // v* of the doubles, which is finite there, may be another one. Motions have doubles alone.
+  const bool by_formula = static_cast<bool>(rules::answer(rules::Question::formula, problem));
+  const Problem& told = by_formula ? typed : problem;
+  const std::optional<CriticalOnset> onset = answered_onset(report, told);
+  report.formula_applies = report.reasons.empty() && by_formula;
   const CertifiedVelocity certified = witnesses.certified(typed);
   report.velocity_of_doubles = witnesses.certified(problem).value;
   report.critical_velocity = certified.value;
@@ -266,8 +269,10 @@ SceneReport agree(Driver& driver, const symbolic::Derivation& formula, const Pro
 
   report.values = value_lines(problem);
   report.normal_force = normal_force(problem);
-  report.effect = effect_for(problem, onset);
-  if (onset) report.influences = influences(problem, report.values);
+  report.effect = effect_for(told, onset);
+  // Of v* = 0 and infinity there is no per cent.
+  if (onset && is_speed(onset->contact_velocity))
+    report.influences = influences(problem, report.values);
 
   progress("deriving the formula");
   derive_all(report, formula);

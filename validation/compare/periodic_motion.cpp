@@ -10,6 +10,7 @@
 #include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "compare/velocity_comparisons.hpp"
+#include "critical/conditioning.hpp"
 #include "linear/elimination.hpp"
 #include "normal/mount.hpp"
 
@@ -29,6 +30,9 @@ constexpr double swing_cost = 1e3 / freest;
 // Speeds that are tried, in units of what the contact's own stiffness gives. Long doubles tell less
 // from 0 at an antiresonance, and a drive that gives more from a resonance.
 constexpr double slowest_speed = 1e-17, fastest_speed = 0.1 * freest;
+
+// Rounding of the long doubles that the networks are solved in, over that of doubles.
+constexpr double extended = 0x1p-11;
 
 // A border is searched for to this share of it.
 constexpr double precision = 1e-6;
@@ -159,7 +163,9 @@ Comparison compare_periodic_motion(const SceneReport& report) {
     const PeriodicMotion motion(report.problem);
     if (std::isnan(comparison.expected))
       return not_run(comparison, "the border of so many free swings is not known");
-    if (is_speed(report.critical_velocity) && report.critical_velocity > motion.highest())
+    const double rounding = extended * formula_tolerance(report.condition);
+    if (is_speed(comparison.expected) &&
+        (comparison.expected > motion.highest() || rounding > PeriodicMotion::resolution()))
       return not_run(comparison, lost_digits);
     comparison.found = motion.border();
   } catch (const ModelError& error) {
