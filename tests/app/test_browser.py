@@ -13,7 +13,7 @@ from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import WebDriverWait
 
-from browsing import PATIENCE, browser, check_paper, draw_charts, load
+from browsing import PATIENCE, SHEET, browser, check_paper, draw_charts, load
 from program import PROGRAM, PROJECT
 
 SCENES = ["zener", "prony", "kelvin_rigid"]
@@ -185,6 +185,19 @@ class Browser(unittest.TestCase):
     def test_words_on_paper_can_be_read(self):
         self.open("bridge", draw=False)
         check_paper(self, self.browser)
+
+    def test_formulas_of_other_pages_are_no_wider_than_a_sheet(self):
+        for name, words in [("rheologies", ["--catalogue"]), ("material", ["--material", "scenes/burgers.toml"])]:
+            with self.subTest(page=name):
+                page = subprocess.run([PROGRAM, "derive", *words], cwd=PROJECT, check=True, capture_output=True).stdout
+                (self.report / f"{name}.html").write_bytes(page)
+                self.width(SHEET)
+                self.open(name)
+                # As a browser does before it lays out sheets.
+                self.run_script("dispatchEvent(new Event('beforeprint'))")
+                self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+                self.assertLessEqual(self.run_script("return document.documentElement.scrollWidth"), SHEET)
+                self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
 
     def test_the_keyboard_reaches_what_can_be_used(self):
         self.open("zener")

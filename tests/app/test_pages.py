@@ -162,6 +162,12 @@ class Pages(unittest.TestCase):
                     self.assertEqual(crossed, [])
                     self.assertGreaterEqual(words, 1)
 
+    # From v* and the creep on the drive slides; v* alone is a speed of the contact point.
+    def test_speeds_of_a_path_that_creeps_are_those_of_the_drive(self):
+        self.visit("burgers")
+        self.assertIn("half of (v* + creep)", self.text("#cycle"))
+        self.assertIn("Above v* + creep vibration changes nothing", self.text("#answer"))
+
     def test_storage_and_loss_are_told_apart_without_colour(self):
         self.visit("zener")
         records = [chart["record"] for chart in self.script(CHARTS)]

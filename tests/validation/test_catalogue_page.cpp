@@ -6,6 +6,7 @@
 
 #include "network/catalogue.hpp"
 #include "report/assets.hpp"
+#include "report/document.hpp"
 #include "support/patterns.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_catalogue_page)
@@ -98,14 +99,15 @@ BOOST_AUTO_TEST_CASE(what_relaxes_has_a_spectrum) {
     BOOST_TEST(!has(section(name), "<h3>Relaxation spectrum"), name);
 }
 
-// The name of MathML's namespace is no address that is called.
-BOOST_AUTO_TEST_CASE(nothing_is_loaded_and_nothing_runs) {
+// The name of MathML's namespace is no address that is called. The one script makes formulas fit on
+// paper, where a wide one would make the whole page smaller.
+BOOST_AUTO_TEST_CASE(nothing_is_loaded) {
   const std::string text =
       test::without_matches(markup(), " xmlns=\"http://www.w3.org/1998/Math/MathML\"");
-  for (const char* part : {"http:", "https:", " src=", "<link", "<script", "@import"})
+  for (const char* part : {"http:", "https:", " src=", "<link", "@import"})
     BOOST_TEST(!has(text, part), part);
   BOOST_TEST(!test::has_match(text, "href=\"(?!#)"));
-  BOOST_TEST(has(text, "default-src 'none'"));
+  BOOST_TEST(has(text, "default-src 'none'; script-src '" + script_hash(page_script()) + "';"));
 }
 
 BOOST_AUTO_TEST_CASE(tags_are_balanced) {

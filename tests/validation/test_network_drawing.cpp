@@ -93,6 +93,23 @@ BOOST_AUTO_TEST_CASE(a_direct_edge_does_not_run_through_an_inner_node) {
   BOOST_TEST(std::abs(lay_out(graph, 100).nodes[2].y) > 20);
 }
 
+// The other edges of a bridge and one beside its middle: all parts stand where nothing else does.
+BOOST_AUTO_TEST_CASE(edges_between_the_same_nodes_stand_beside_each_other) {
+  Graph doubled = bridge();
+  doubled.parts.push_back(k("k9"));
+  doubled.wires.push_back({doubled.wires[2].to, doubled.wires[2].from});
+  Graph nested = bridge();
+  nested.parts[2] = parallel({nested.parts[2], k("k9")});
+  BOOST_TEST(svg_of(Network{doubled}) == svg_of(Network{nested}));
+}
+
+BOOST_AUTO_TEST_CASE(an_edge_between_both_terminals_stands_beside_the_others) {
+  Graph direct = bridge();
+  direct.parts.push_back(k("k9"));
+  direct.wires.push_back({0, 1});
+  BOOST_TEST(svg_of(Network{direct}) == svg_of(parallel({Network{bridge()}, k("k9")})));
+}
+
 BOOST_AUTO_TEST_CASE(names_keep_their_indices) {
   const std::vector<std::string> k0{"k", "0", "\u200b"}, tau10{"τ", "10", "\u200b"}, m{"m"};
   BOOST_TEST(words_of(label({"k0"})) == k0, boost::test_tools::per_element());

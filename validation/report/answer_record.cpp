@@ -43,10 +43,12 @@ const ResonanceMark* nearest_resonance(const SceneReport& report) {
 
 Json speed_key(const SceneReport& report) {
   const OnsetSpeeds onset = onset_speeds(report);
-  const std::string note =
-      onset.drive > onset.contact
-          ? "with creep the drive runs at " + in_few_digits(onset.drive, "m/s")
-          : std::string(onset.simulated ? "by simulation" : "no effect above it");
+  std::string note = "no effect above it";
+  if (onset.simulated) note = "by simulation";
+  if (onset.contact == 0) note = "no effect at any speed";
+  if (!std::isfinite(onset.contact)) note = "an effect at every speed";
+  if (onset.drive > onset.contact)
+    note = "with creep the drive runs at " + in_few_digits(onset.drive, "m/s");
   return key_number("Critical speed v*", onset.contact, "m/s", note);
 }
 
@@ -60,7 +62,10 @@ void add_power(const SceneReport& report, Json& keys) {
   if (!report.cycle || !report.effect->mean_normal_force) return;
   const double force = report.cycle->friction_ratio * report.effect->friction_coefficient *
                        *report.effect->mean_normal_force;
-  keys.push_back(key_number("Power at v*/2", force * report.cycle->velocity, "W",
+  // v* + creep, half of which the cycle has, is no name for a number: the speed below it says all.
+  const bool creeps = onset_speeds(report).drive > onset_speeds(report).contact;
+  const bool half = report.cycle->ratio == 0.5 && !creeps;
+  keys.push_back(key_number(half ? "Power at v*/2" : "Power", force * report.cycle->velocity, "W",
                             "lost at " + in_few_digits(report.cycle->velocity, "m/s")));
 }
 
@@ -94,7 +99,9 @@ Json signs_of(const std::vector<const Influence*>& numbers, const std::string& b
               const std::string& between, const std::string& last) {
   Json signs = Json::array();
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    signs.push_back({{"before", i == 0 ? begin : i + 1 < numbers.size() ? between : last},
+    signs.push_back({{"before", i == 0                   ? begin
+                                : i + 1 < numbers.size() ? between
+                                                         : last},
                      {"sign", record::page_of(record::Markup{numbers[i]->sign.mathml})}});
   return signs;
 }
@@ -122,6 +129,13 @@ Json inputs_record(const SceneReport& report) {
   return {{"alike", signs_of(alike, tenth, " or ", " or ")},
           {"others", signs_of(others, begin, ", ", " and ")},
           {"at_most", at_most}};
+}
+
+/// What the rows leave out; nothing where that is nothing.
+Json left_out_words(std::size_t count) {
+  if (count == 0) return {};
+  if (count == 1) return "One number of smaller influence is";
+  return fmt::format("{} numbers of smaller influence are", count);
 }
 
 /// Bars from the middle, the longest to the edge.
@@ -158,6 +172,11 @@ OnsetSpeeds onset_speeds(const SceneReport& report) {
   return {report.critical_velocity, report.critical_velocity + report.creep_velocity, false};
 }
 
+std::string onset_sign(const SceneReport& report) {
+  const OnsetSpeeds onset = onset_speeds(report);
+  return onset.drive > onset.contact ? "v* + creep" : "v*";
+}
+
 std::optional<double> closed_up_to(const SceneReport& report) {
   return report.effect ? report.effect->largest_closed_amplitude : std::nullopt;
 }
@@ -171,7 +190,7 @@ record::Json answer_record(const SceneReport& report) {
           {"keys", key_numbers(report)},
           {"inputs", inputs_record(report)},
           {"influences", rows},
-          {"left_out", left_out > 0 ? Json(left_out) : Json()}};
+          {"left_out", left_out_words(left_out)}};
 }
 
 }  // namespace vcrit::validation::report

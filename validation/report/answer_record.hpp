@@ -14,6 +14,10 @@ struct OnsetSpeeds {
 };
 OnsetSpeeds onset_speeds(const SceneReport& report);
 
+/// How the page calls the speed of the drive from which vibration changes nothing: "v*", or
+/// "v* + creep".
+std::string onset_sign(const SceneReport& report);
+
 /// Of the vibration, Hz.
 double frequency_of(const SceneReport& report);
 

@@ -30,10 +30,12 @@ std::string_view between(const char* begin, const char* end) {
 
 const std::vector<std::string_view>& scripts() {
   static const std::vector<std::string_view> all{
-      between(vcrit_page, vcrit_page_end), between(vcrit_scales, vcrit_scales_end),
+      page_script(), between(vcrit_scales, vcrit_scales_end),
       between(vcrit_drawing, vcrit_drawing_end), between(vcrit_charts, vcrit_charts_end)};
   return all;
 }
+
+std::string_view page_script() { return between(vcrit_page, vcrit_page_end); }
 
 std::string_view style() { return between(vcrit_style, vcrit_style_end); }
 

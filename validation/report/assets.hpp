@@ -9,6 +9,9 @@ namespace vcrit::validation::report {
 /// Of a page with charts, in the order in which they must run.
 const std::vector<std::string_view>& scripts();
 
+/// The first of them, which also makes formulas as small as a sheet of paper asks.
+std::string_view page_script();
+
 std::string_view style();
 
 /// All of templates/, packed for record::Templates.

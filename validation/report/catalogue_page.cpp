@@ -10,6 +10,7 @@
 #include "derivation/derivation.hpp"
 #include "network/catalogue.hpp"
 #include "problem/problem.hpp"
+#include "report/assets.hpp"
 #include "report/document.hpp"
 #include "report/network_drawing.hpp"
 #include "report/records.hpp"
@@ -145,7 +146,7 @@ std::string catalogue_page() {
   record::Json record{{"version", VCRIT_VERSION}, {"rheologies", record::Json::array()}};
   for (const Rheology& rheology : catalogue())
     record["rheologies"].push_back(rheology_record(Entry(rheology)));
-  return document("catalogue", record, {"Named rheologies", false, {}});
+  return document("catalogue", record, {"Named rheologies", false, {std::string(page_script())}});
 }
 
 }  // namespace vcrit::validation::report

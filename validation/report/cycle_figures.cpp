@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/constants.hpp"
+#include "report/answer_record.hpp"
 #include "report/stretches.hpp"
 #include "report/units.hpp"
 
@@ -76,6 +77,15 @@ Figure cycle_figure(const SceneReport& report, const char* name, int height) {
   return figure;
 }
 
+/// ", half of v*"; nothing where v* is infinite.
+std::string share_of_onset(const SceneReport& report) {
+  const double ratio = report.cycle->ratio;
+  if (ratio == 0) return {};
+  const std::string sign = onset_sign(report);
+  return fmt::format(", {} of {}", ratio == 0.5 ? "half" : fmt::format("{:.3g}", ratio),
+                     sign == "v*" ? sign : "(" + sign + ")");
+}
+
 }  // namespace
 
 Figure force_figure(const SceneReport& report) {
@@ -103,9 +113,8 @@ Figure velocity_figure(const SceneReport& report) {
   figure.title = "Speed of the contact point over one period";
   const Cycle& cycle = *report.cycle;
   figure.caption =
-      fmt::format("At {}, {} of v*: friction ratio {:.4g}, {}.", quantity(cycle.velocity, "m/s", 4),
-                  cycle.ratio == 0.5 ? "half" : fmt::format("{:.3g}", cycle.ratio),
-                  cycle.friction_ratio, motion_words(cycle.regime));
+      fmt::format("At {}{}: friction ratio {:.4g}, {}.", quantity(cycle.velocity, "m/s", 4),
+                  share_of_onset(report), cycle.friction_ratio, motion_words(cycle.regime));
   figure.y.title = "contact speed, " + scale.unit;
   figure.series = {over_time(report, "", Style::line, 0, scale, velocity)};
   return figure;

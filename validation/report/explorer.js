@@ -156,7 +156,7 @@ const vcrit_explorer = (() => {
     const before = own.answer.curve === null ? [] : line(own.answer.curve.points);
     if (before.length > 0 && before[before.length - 1][1] > 0.9999) before.push([now.to * scale.factor, 1]);
     vcrit_curves.friction(chart, {
-      x: { to: now.to * scale.factor, title: `sliding speed, ${scale.unit}` }, rule: now.drive * scale.factor, now: line(now.curve.points),
+      x: { to: now.to * scale.factor, title: `sliding speed, ${scale.unit}` }, rule: now.drive * scale.factor, creeps: now.drive > now.velocity, now: line(now.curve.points),
       own: is_moved() ? before : [], at: now_speed() * scale.factor,
     });
   }

@@ -54,8 +54,8 @@ const vcrit_curves = (() => {
     return y0 + (y1 - y0) * (x - x0) / (x1 - x0);
   };
 
-  /// Points (speed, ratio) of now and of the scene; `rule`: v*, `at`: the speed of the field.
-  function friction(place, { x, rule, now, own, at: here }) {
+  /// Points (speed, ratio) of now and of the scene; `rule`: v*, of the drive; `at`: the speed of the field.
+  function friction(place, { x, rule, creeps, now, own, at: here }) {
     const height = innerWidth < 640 ? 210 : 280, { svg, width } = blank(place, height, "Friction over sliding speed");
     const high = Math.max(1.15, ...now.map(([, y]) => 1.1 * y));
     const to = plane(svg, { width, top: 30, bottom: height - 42, x: { from: 0, ...x }, y: { from: 0, to: high, title: "friction / friction without vibration" } });
@@ -64,7 +64,7 @@ const vcrit_curves = (() => {
     svg.append(clip);
     if (Number.isFinite(rule)) {
       svg.append(node("line", { class: "rule", x1: to.x(rule), x2: to.x(rule), y1: 30, y2: height - 42 }));
-      svg.append(node("text", { class: "words", x: to.x(rule) + 5, y: height - 50 }, "v*"));
+      svg.append(node("text", { class: "words", x: to.x(rule) + 5, y: height - 50 }, creeps ? "v* + creep" : "v*"));
     }
     if (own.length > 0) {
       svg.append(node("path", { class: "own", d: path(own, to), "clip-path": "url(#explored-clip)" }));
@@ -93,7 +93,9 @@ const vcrit_curves = (() => {
     const across = { from: 0, to: end, title: `time, ${time.unit}` };
     const most = 1.1 * Math.max(...points.map((p) => p[3])) * forces.factor;
     const least = Math.min(0, ...points.map((p) => 1.1 * p[2] * forces.factor));
-    const upper = plane(svg, { width, top: 28, bottom: 190, x: across, y: { from: least, to: most, title: `friction force and its bound, ${forces.unit}` }, words: false });
+    // A narrow line has no room for all words beside those of sticking.
+    const what = width < 420 ? "force and its bound" : "friction force and its bound";
+    const upper = plane(svg, { width, top: 28, bottom: 190, x: across, y: { from: least, to: most, title: `${what}, ${forces.unit}` }, words: false });
     const values = points.map((p) => p[1] * speeds.factor), low = Math.min(0, ...values), high = Math.max(...values);
     const lower = plane(svg, { width, top: 232, bottom: height - 42, x: across, y: { from: low - 0.05 * (high - low), to: high + 0.1 * (high - low), title: `contact speed, ${speeds.unit}` }, counts: [5, 3] });
     for (const [from, until] of sticking(events, points)) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <utility>
 
 #include "base/constants.hpp"
@@ -207,7 +209,42 @@ Shapes edge(const Network& part, LayoutPoint from, LayoutPoint to, const Network
   return all;
 }
 
-Drawing draw_graph(const Graph& graph, const NetworkLook& look) {
+/// Parts that join the same two nodes are one edge, beside each other; they would lie on each
+/// other.
+Graph with_single_edges(const Graph& graph) {
+  Graph single{graph.nodes, {}, {}};
+  std::map<std::pair<int, int>, std::size_t> known;
+  for (std::size_t i = 0; i < graph.parts.size(); ++i) {
+    const auto [from, to] = graph.wires[i];
+    const auto [edge, is_new] =
+        known.try_emplace({std::min(from, to), std::max(from, to)}, single.parts.size());
+    if (is_new) {
+      single.parts.push_back(graph.parts[i]);
+      single.wires.push_back(graph.wires[i]);
+    } else {
+      Network& before = single.parts[edge->second];
+      before = parallel({before, graph.parts[i]});
+    }
+  }
+  return single;
+}
+
+/// Without the edge that joins both terminals, which would run through whatever is between them.
+std::optional<std::pair<Graph, Network>> direct_edge_apart(Graph graph) {
+  const auto direct = std::find_if(graph.wires.begin(), graph.wires.end(),
+                                   [](const Wire& it) { return it.from + it.to == 1; });
+  if (direct == graph.wires.end() || graph.wires.size() == 1) return std::nullopt;
+  const auto part = graph.parts.begin() + (direct - graph.wires.begin());
+  Network apart = std::move(*part);
+  graph.parts.erase(part);
+  graph.wires.erase(direct);
+  return std::pair{std::move(graph), std::move(apart)};
+}
+
+Drawing draw_graph(const Graph& drawn, const NetworkLook& look) {
+  const Graph graph = with_single_edges(drawn);
+  if (const auto apart = direct_edge_apart(graph))
+    return draw(parallel({Network{apart->first}, apart->second}), look);
   double longest = 0, highest = 0;
   for (const Network& part : graph.parts) {
     const Drawing drawing = draw(part, look);

@@ -7,6 +7,7 @@
 
 #include "accuracy/pictures.hpp"
 #include "report/answer_figures.hpp"
+#include "report/answer_record.hpp"
 #include "report/cycle_figures.hpp"
 #include "report/indenter_figures.hpp"
 #include "report/separation_figures.hpp"
@@ -68,7 +69,8 @@ std::vector<Figure> scene_figures(const SceneContents& contents) {
 }
 
 std::string speed_axis(const SceneReport& report) {
-  return report.creep_velocity > 0 ? "v₀ / (v* + creep)" : "v₀ / v*";
+  const std::string sign = onset_sign(report);
+  return sign == "v*" ? "v₀ / v*" : "v₀ / (" + sign + ")";
 }
 
 Figure friction_figure(const SceneReport& report) {
