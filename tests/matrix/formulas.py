@@ -259,11 +259,16 @@ def onsets(document, form, values):
     parts = re.split(heading, document, flags=re.M)
     # Names that words bring in: "separated, and Z = kd - m omega^2".
     meant = re.findall(r"and \$([A-Za-z]) = ([^$]+)\$", document) if form != "text" else []
-    return [value for part in parts for value in part_onsets(meant + documents.equations(part, form), form, values, words)]
+    read_as, given = "text" if form == "text" else "latex", (tuple(values.items()), tuple(words))
+    return [value for part in parts
+            for value in part_onsets((*meant, *documents.equations(part, form)), read_as, *given)]
 
 
+@functools.cache
 def part_onsets(pairs, form, values, words):
-    """In as many passes as it takes: a rational form names its parts before it says what they are."""
+    """In as many passes as it takes: a rational form names its parts before it says what they are. The same formulas are in
+    documents of several formats."""
+    values = dict(values)
     names = Names(values)
     for own, unit in words or [("s", "i")]:
         names.default(own.replace("\\mathrm", "").replace("\\", ""), 1j * values["omega"])
