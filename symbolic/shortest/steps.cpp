@@ -101,6 +101,7 @@ int step_operations(const FormulaStep& step, const Expressions& all) {
 Steps::Steps(const Expressions& all, std::span<const Ex> wholes) : all_(all) {
   for (std::size_t i = 0; i + 1 < wholes.size(); ++i) wholes_.push_back(definition(wholes[i]));
   wholes_.push_back(of(wholes.back().factor, wholes.back().node));
+  sharing_ = true;
   share(FormulaStep::Kind::sum);
   share(FormulaStep::Kind::product);
   count();
@@ -119,7 +120,9 @@ std::uint32_t Steps::definition(const Ex& meaning) {
 
 std::uint32_t Steps::put(FormulaStep&& step) {
   step.sort_parts();
-  for (std::uint32_t i = 0; i < steps_.size(); ++i) {
+  // Until steps are shared each stands behind its parts.
+  const std::uint32_t first = sharing_ || step.parts.empty() ? 0 : step.parts.back().step + 1;
+  for (std::uint32_t i = first; i < steps_.size(); ++i) {
     const FormulaStep& old = steps_[i];
     if (old.mask == step.mask && old.kind == step.kind && old.node == step.node &&
         old.number == step.number && old.exponent == step.exponent && old.parts == step.parts) {

@@ -101,6 +101,7 @@ class Steps {
   boost::container::small_vector<KnownStep, 64> known_;
   std::array<std::uint32_t, 64> last_known_{};  ///< of each remainder
   StepNumbers wholes_;
+  bool sharing_ = false;  ///< from here on a step may have parts behind it
   int operations_ = 0, shared_ = 0;
 };
 
