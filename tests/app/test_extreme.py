@@ -169,6 +169,15 @@ class Motion(Case):
                               network="(ka | kb) - (mass(m2) | k2)")
         self.refused(3, ["simulate", self.write(scene), "--velocity", "1"], "leave the range of doubles")
 
+    # The motion had lost a mass in rounding: 1313 m/s by simulation for 4.8 mm/s, and 9.79 mm/s for 9.71 mm/s.
+    def test_masses_far_apart_are_right_or_refused(self):
+        for name in ("measured_drive", "sonotrode"):
+            scene = program.example(name)
+            near = self.answer("critical", scene, "--set", "mass=1e-20")
+            self.assertTrue(near["agree"])
+            for mass in ("1e-36", "1e-60"):
+                self.refused(3, ["critical", scene, "--set", f"mass={mass}"], "too many orders of magnitude apart")
+
     # It was said that v* is 0.
     def test_a_speed_far_above_v_star_is_told_as_that(self):
         self.assertIn("At 1 × 10³⁰⁸ m/s, more than 10³⁰⁸ times v*",
