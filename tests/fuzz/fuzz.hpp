@@ -1,21 +1,23 @@
-// What every fuzz target shares: the promise about errors, and how a broken one is told.
+// The fuzz targets, and what they share: the promise about errors, and how a broken one is told.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 
 #include "base/errors.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
-
 namespace vcrit::fuzz {
 
-inline std::string text_of(const std::uint8_t* data, std::size_t size) {
-  return {reinterpret_cast<const char*>(data), size};
-}
+// Each reads any text, and ends the process where what the head of its file promises is broken.
+void read_scene(const std::string& text);
+void read_expression(const std::string& text);
+void read_setting(const std::string& text);
+void read_quantity(const std::string& text);
+void read_receptance(const std::string& text);
+void read_profile(const std::string& text);
+void read_fit_data(const std::string& text);
+void read_axis(const std::string& text);
 
 /// Whether a call ends with a number of four digits or more: prony(k0, k, tau, 100000). Many
 /// branches take long and show nothing that few do not.

@@ -34,9 +34,9 @@ void check_values(const std::vector<double>& values) {
 
 }  // namespace
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+void fuzz::read_axis(const std::string& text) {
   static const Scene scene = test::scene_of(scene_text);
-  const std::string text = fuzz::text_of(data, size), list = "list\n";
+  const std::string list = "list\n";
   fuzz::answered([&] {
     if (text.starts_with(list))
       return check_values(parse_list(text.substr(list.size()), "list.txt", Dimension::stiffness));
@@ -51,5 +51,4 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     for (const double value : axis.values)
       fuzz::check(value >= low && value <= high, "values lie between the ends");
   });
-  return 0;
 }

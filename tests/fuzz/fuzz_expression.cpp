@@ -42,14 +42,12 @@ void check_network(const Network& network) {
 
 }  // namespace
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string text = fuzz::text_of(data, size);
-  if (fuzz::many_branches(text)) return 0;
+void fuzz::read_expression(const std::string& text) {
+  if (fuzz::many_branches(text)) return;
   fuzz::answered([&] {
     const Network network = parse_expression(text, {"scene.toml", 1, 1}, surroundings());
     fuzz::check(parse_expression("(" + text + ")", {"scene.toml", 1, 1}, surroundings()) == network,
                 "parentheses around the whole change nothing");
     check_network(network);
   });
-  return 0;
 }

@@ -21,8 +21,8 @@ void check_row(const StiffnessRow& row, bool errors) {
   fuzz::check(std::isfinite(row.omega) && row.omega > 0, "omega is finite and above 0");
   fuzz::check(std::isfinite(row.storage) && std::isfinite(row.loss), "both parts are finite");
   fuzz::check(row.storage != 0 || row.loss != 0, "one of them is not 0");
-  const double least = -noise_below_zero * std::hypot(row.storage, row.loss);
-  fuzz::check(errors || std::min(row.storage, row.loss) >= least, "no more than noise is below 0");
+  const double lowest = -noise_below_zero * std::hypot(row.storage, row.loss);
+  fuzz::check(errors || std::min(row.storage, row.loss) >= lowest, "no more than noise is below 0");
   if (!errors) return;
   fuzz::check(std::isfinite(row.storage_error) && row.storage_error > 0, "an error is above 0");
   fuzz::check(std::isfinite(row.loss_error) && row.loss_error > 0, "an error is above 0");
@@ -30,21 +30,20 @@ void check_row(const StiffnessRow& row, bool errors) {
 
 }  // namespace
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+void fuzz::read_fit_data(const std::string& text) {
   fuzz::answered([&] {
-    const StiffnessTable table = parse_stiffness_table(fuzz::text_of(data, size), "data.csv");
+    const StiffnessTable table = parse_stiffness_table(text, "data.csv");
     fuzz::check(table.rows.size() >= least_rows, "a table has three rows");
-    std::string text = "angular_frequency,storage,loss";
-    text += table.has_errors ? ",storage_error,loss_error\n" : "\n";
+    std::string numbers = "angular_frequency,storage,loss";
+    numbers += table.has_errors ? ",storage_error,loss_error\n" : "\n";
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
       check_row(table.rows[i], table.has_errors);
       fuzz::check(i == 0 || table.rows[i].omega > table.rows[i - 1].omega, "omega rises");
-      text += line_of(table.rows[i], table.has_errors);
+      numbers += line_of(table.rows[i], table.has_errors);
     }
     std::string again;
-    for (const StiffnessRow& row : parse_stiffness_table(text, "again.csv").rows)
+    for (const StiffnessRow& row : parse_stiffness_table(numbers, "again.csv").rows)
       again += line_of(row, table.has_errors);
-    fuzz::check(text.ends_with(again), "a table reads back");
+    fuzz::check(numbers.ends_with(again), "a table reads back");
   });
-  return 0;
 }

@@ -28,9 +28,8 @@ void check_velocity(const Scene& scene) {
 
 }  // namespace
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string text = fuzz::text_of(data, size);
-  if (fuzz::many_branches(text)) return 0;
+void fuzz::read_scene(const std::string& text) {
+  if (fuzz::many_branches(text)) return;
   fuzz::answered([&] {
     const Scene scene = parse_scene(text, "scene.toml");
     const Scene again = parse_scene(text, "scene.toml");
@@ -38,5 +37,4 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
                 "one text is one scene");
     check_velocity(scene);
   });
-  return 0;
 }

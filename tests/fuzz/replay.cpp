@@ -1,7 +1,7 @@
 // Runs a fuzz target without libFuzzer: over every file of a folder, then over variants of them
 // made by a fixed seed.
 //
-//   fuzz_NAME FOLDER
+//   fuzz --TARGET FOLDER
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "fuzz.hpp"
+#include "targets.hpp"
 
 namespace {
 
@@ -67,8 +67,9 @@ std::string variant(const std::vector<std::string>& inputs, Random& random) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) return 2;
-  const std::vector<std::string> inputs = inputs_in(argv[1]);
+  LLVMFuzzerInitialize(&argc, &argv);
+  if (argc != 3) return 2;
+  const std::vector<std::string> inputs = inputs_in(argv[2]);
   if (inputs.empty()) return 1;
   for (const std::string& input : inputs) run(input);
   Random random(seed);
