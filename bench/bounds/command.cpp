@@ -58,8 +58,7 @@ int run_bounds(const BoundsOptions& options) {
   }
   fmt::print("{}", tables(results, options.markdown ? TableStyle::markdown : TableStyle::text));
   fmt::print(stderr, "{:.0f} s\n", std::chrono::duration<double>(Clock::now() - start).count());
-  if (!options.json.empty())
-    write_file(options.json, as_json(results, options.trial).dump(1) + "\n");
+  if (!options.json.empty()) write_file(options.json, as_json(results, options.trial) + "\n");
   const std::string violations = first_violations(results);
   fmt::print(stderr, "{}", violations);
   return violations.empty() ? 0 : 1;

@@ -4,6 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "record/json_text.hpp"
 
 namespace vcrit::bounds {
 
@@ -86,8 +89,7 @@ std::string tables(const std::vector<SystemResult>& results, bench::TableStyle s
   return bench::text_table(systems, style) + "\n" + bench::text_table(draws, style);
 }
 
-nlohmann::ordered_json as_json(const std::vector<SystemResult>& results,
-                               const TrialOptions& options) {
+std::string as_json(const std::vector<SystemResult>& results, const TrialOptions& options) {
   nlohmann::ordered_json out{{"cases", options.cases}, {"seed", options.seed}};
   for (const SystemResult& result : results) {
     nlohmann::ordered_json& system = out["systems"][result.system];
@@ -95,7 +97,7 @@ nlohmann::ordered_json as_json(const std::vector<SystemResult>& results,
     for (const auto& [draw, tally] : result.tallies)
       system["draws"][std::string(name_of(draw))] = tally_json(tally);
   }
-  return out;
+  return record::json_text(out, 1);
 }
 
 std::string first_violations(const std::vector<SystemResult>& results) {

@@ -1,7 +1,6 @@
 // The result of all trials as tables and as JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -18,8 +17,8 @@ struct SystemResult {
 /// One line a system, then one a kind of draw.
 std::string tables(const std::vector<SystemResult>& results, bench::TableStyle style);
 
-nlohmann::ordered_json as_json(const std::vector<SystemResult>& results,
-                               const TrialOptions& options);
+/// All counts, as JSON.
+std::string as_json(const std::vector<SystemResult>& results, const TrialOptions& options);
 
 /// The first violation of each kind by each system, in words; empty for none.
 std::string first_violations(const std::vector<SystemResult>& results);

@@ -8,9 +8,9 @@ namespace {
 
 struct Recorder {
   using Value = std::size_t;
-  nlohmann::json steps = nlohmann::json::array();
+  nlohmann::ordered_json steps = nlohmann::ordered_json::array();
 
-  Value recorded(nlohmann::json step) {
+  Value recorded(nlohmann::ordered_json step) {
     steps.push_back(std::move(step));
     return steps.size() - 1;
   }
@@ -37,7 +37,7 @@ struct Recorder {
 
 }  // namespace
 
-nlohmann::json network_json(const Network& network) {
+nlohmann::ordered_json network_json(const Network& network) {
   Recorder recorder;
   evaluate(reduce(network), recorder);
   return recorder.steps;

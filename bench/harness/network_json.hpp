@@ -11,6 +11,6 @@ namespace vcrit::bench {
 /// "k"],
 /// ["damper", "c"], ["maxwell", "k", "tau"], ["parallel", a, b], ["series", a, b],
 /// ["mesh", a, b, total].
-nlohmann::json network_json(const Network& network);
+nlohmann::ordered_json network_json(const Network& network);
 
 }  // namespace vcrit::bench

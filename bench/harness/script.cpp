@@ -2,19 +2,19 @@
 
 #include <fmt/core.h>
 
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "base/files.hpp"
+#include "record/json_text.hpp"
 #include "run/compiler.hpp"
 
 namespace vcrit::bench {
 
-std::string run_script(const std::string& name, const nlohmann::json& input,
+std::string run_script(const std::string& name, const nlohmann::ordered_json& input,
                        const std::vector<std::string>& words, const std::filesystem::path& folder,
                        std::chrono::seconds longest) {
   const std::filesystem::path file = folder / "input.json";
-  write_file(file, input.dump());
+  write_file(file, record::json_text(input));
   std::vector<std::string> command{"/usr/bin/python3", "-B", VCRIT_BENCH "/peers/" + name, file};
   command.insert(command.end(), words.begin(), words.end());
   const auto result = validation::run_program(command, folder, longest, std::nullopt);

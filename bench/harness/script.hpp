@@ -11,7 +11,7 @@ namespace vcrit::bench {
 
 /// Runs peers/NAME with the file of `input`, then `words`, in `folder`; returns what it said.
 /// Throws std::runtime_error where it fails or is not back in time.
-std::string run_script(const std::string& name, const nlohmann::json& input,
+std::string run_script(const std::string& name, const nlohmann::ordered_json& input,
                        const std::vector<std::string>& words, const std::filesystem::path& folder,
                        std::chrono::seconds longest);
 

@@ -14,8 +14,8 @@ namespace {
 // A script has the processor time of whoever calls it.
 constexpr std::chrono::minutes longest{10};
 
-nlohmann::json asked(const ScalingCase& each) {
-  nlohmann::json names{"s"}, edges = nlohmann::json::array();
+nlohmann::ordered_json asked(const ScalingCase& each) {
+  nlohmann::ordered_json names{"s"}, edges = nlohmann::ordered_json::array();
   for (const Symbol& symbol : symbols_of(each.network)) names.push_back(to_text(symbol));
   const Wiring wires = wiring(each.network);
   for (const Wiring::Edge& edge : wires.edges)

@@ -50,7 +50,7 @@ void run_simulators(const SimulatorOptions& options) {
                    problem));
   fmt::print("{}{}{}", summary_table(cases, points), reduced_model_table(), machine_lines(machine));
   if (!options.json.empty())
-    write_file(options.json, as_json(points, machine, options.budget).dump(1) + "\n");
+    write_file(options.json, as_json(points, machine, options.budget) + "\n");
 }
 
 }  // namespace

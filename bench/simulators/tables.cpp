@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "compare/reduced_difference.hpp"
+#include "record/json_text.hpp"
 
 namespace vcrit::simulators {
 
@@ -141,8 +143,8 @@ std::string machine_lines(const validation::Machine& machine) {
   return text + "\n";
 }
 
-nlohmann::ordered_json as_json(const std::vector<PeerSolve>& points,
-                               const validation::Machine& machine, const Budget& budget) {
+std::string as_json(const std::vector<PeerSolve>& points, const validation::Machine& machine,
+                    const Budget& budget) {
   nlohmann::ordered_json result{{"processor", machine.processor},
                                 {"cores", machine.cores},
                                 {"system", machine.system},
@@ -165,7 +167,7 @@ nlohmann::ordered_json as_json(const std::vector<PeerSolve>& points,
     }
     result["points"].push_back(std::move(entry));
   }
-  return result;
+  return record::json_text(result, 1);
 }
 
 }  // namespace vcrit::simulators

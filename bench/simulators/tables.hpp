@@ -1,7 +1,6 @@
 // The benchmark as text for people and as JSON for programs.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -27,7 +26,8 @@ std::string reduced_model_table();
 validation::Machine benchmark_machine();
 std::string machine_lines(const validation::Machine& machine);
 
-nlohmann::ordered_json as_json(const std::vector<PeerSolve>& points,
-                               const validation::Machine& machine, const Budget& budget);
+/// All points, as JSON.
+std::string as_json(const std::vector<PeerSolve>& points, const validation::Machine& machine,
+                    const Budget& budget);
 
 }  // namespace vcrit::simulators

@@ -51,7 +51,7 @@ void run_evaluators(const EvaluatorOptions& options) {
   for (const CallMode mode : both_modes)
     fmt::print("{}", table(all, mode, options.markdown ? TableStyle::markdown : TableStyle::text));
   fmt::print("{}", notes(all));
-  if (!options.json.empty()) write_file(options.json, as_json(all).dump(1) + "\n");
+  if (!options.json.empty()) write_file(options.json, as_json(all) + "\n");
 }
 
 }  // namespace

@@ -10,12 +10,12 @@ namespace {
 // cse of a ladder's expressions is not back in any time that one would wait.
 constexpr std::chrono::seconds longest_cse{60};
 
-nlohmann::json asked(const Subject& subject) {
+nlohmann::ordered_json asked(const Subject& subject) {
   const Problem& problem = subject.problem;
-  nlohmann::json json{{"columns", nlohmann::json::array()},
-                      {"omega", omega_column},
-                      {"normal", bench::network_json(problem->normal.network())},
-                      {"drive", bench::network_json(problem->drive_network()->network())}};
+  nlohmann::ordered_json json{{"columns", nlohmann::ordered_json::array()},
+                              {"omega", omega_column},
+                              {"normal", bench::network_json(problem->normal.network())},
+                              {"drive", bench::network_json(problem->drive_network()->network())}};
   for (const VariedParameter& column : subject.columns)
     json["columns"].push_back(to_text(column.symbol));
   if (const auto* network = std::get_if<ReducedNetwork>(&problem->tangential))

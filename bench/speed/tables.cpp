@@ -1,7 +1,9 @@
 #include "speed/tables.hpp"
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
+#include "record/json_text.hpp"
 #include "run/machine.hpp"
 
 namespace vcrit::speed {
@@ -115,7 +117,7 @@ std::string notes(const SpeedComparison& all) {
   return out.empty() ? out : "\nnot measured\n" + out;
 }
 
-nlohmann::ordered_json as_json(const SpeedComparison& all) {
+std::string as_json(const SpeedComparison& all) {
   using Json = nlohmann::ordered_json;
   const validation::Machine machine = validation::this_machine();
   Json json{{"processor", machine.processor}, {"system", machine.system},
@@ -134,7 +136,7 @@ nlohmann::ordered_json as_json(const SpeedComparison& all) {
   for (const MissingMethod& each : all.missing)
     json["missing"].push_back(
         {{"problem", each.subject}, {"method", each.method}, {"reason", each.reason}});
-  return json;
+  return record::json_text(json, 1);
 }
 
 }  // namespace vcrit::speed

@@ -1,7 +1,6 @@
 // The comparison as text for people and as JSON for programs.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -28,6 +27,7 @@ std::string table(const SpeedComparison& all, CallMode mode, TableStyle style);
 /// What is not in the tables, and why.
 std::string notes(const SpeedComparison& all);
 
-nlohmann::ordered_json as_json(const SpeedComparison& all);
+/// All figures, as JSON.
+std::string as_json(const SpeedComparison& all);
 
 }  // namespace vcrit::speed

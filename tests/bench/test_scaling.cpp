@@ -4,6 +4,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "harness/network_json.hpp"
+#include "record/json_text.hpp"
 #include "scaling/peers.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_scaling)
@@ -41,15 +42,16 @@ BOOST_AUTO_TEST_CASE(a_network_is_told_step_by_step) {
   const Network network = parallel(
       {spring({"k1"}), series({spring({"k2"}), damper({"c1"})}), maxwell({"k3"}, {"tau"})});
   const auto steps = bench::network_json(network);
-  const auto is_there = [&](const nlohmann::json& step) {
+  const auto is_there = [&](const nlohmann::ordered_json& step) {
     return std::find(steps.begin(), steps.end(), step) != steps.end();
   };
   BOOST_TEST(steps.size() == 7U);
   for (const char* element :
        {R"(["spring","k1"])", R"(["damper","c1"])", R"(["maxwell","k3","tau"])"})
-    BOOST_TEST(is_there(nlohmann::json::parse(element)), element);
+    BOOST_TEST(is_there(record::read_json(element)), element);
   BOOST_TEST(steps.back()[0] == "parallel");
-  BOOST_TEST(bench::network_json(bridge().network).dump().find("mesh") != std::string::npos);
+  BOOST_TEST(record::json_text(bench::network_json(bridge().network)).find("mesh") !=
+             std::string::npos);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
