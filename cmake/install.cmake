@@ -36,7 +36,8 @@ install(FILES ${CMAKE_BINARY_DIR}/share/zsh/site-functions/_vcrit
         DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT program)
 
 # As they lie in the sources, so that the links of README.md hold.
-install(FILES README.md CITATION.cff CONTRIBUTING.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(FILES README.md CITATION.cff CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(FILES LICENSES/GPL-3.0-or-later.txt RENAME LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(DIRECTORY docs scenes examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program
         FILES_MATCHING PATTERN *.md PATTERN *.svg PATTERN *.toml PATTERN *.csv PATTERN *.c PATTERN *.cpp PATTERN *.py
         PATTERN CMakeLists.txt)

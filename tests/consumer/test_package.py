@@ -179,13 +179,13 @@ class Package(unittest.TestCase):
         for scene in ["zener.toml", "measured_drive.toml"]:
             self.assertIn("critical velocity", done(self.prefix / "bin/vcrit", "eval", share / "scenes" / scene))
 
-    # The lines of docs/library.md and no more: no standard, no second language.
     def test_links_of_the_readme_lead_somewhere(self):
         share = self.prefix / "share/doc/vcrit"
         links = [link for link in re.findall(r"\]\(([^)#\s]+)", (share / "README.md").read_text()) if ":" not in link]
         self.assertGreater(len(links), 20)
         self.assertEqual([link for link in links if not (share / link).exists()], [])
 
+    # The lines of docs/library.md and no more: no standard, no second language.
     def test_project_of_the_library_page(self):
         source = self.folder / "page"
         source.mkdir()

@@ -11,6 +11,7 @@
 #include "base/constants.hpp"
 #include "base/rounded.hpp"
 #include "report/answer_record.hpp"
+#include "report/onset_speeds.hpp"
 #include "report/units.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 

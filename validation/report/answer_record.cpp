@@ -7,6 +7,7 @@
 
 #include "answers/effect_words.hpp"
 #include "base/constants.hpp"
+#include "report/onset_speeds.hpp"
 #include "report/units.hpp"
 #include "report/verdict.hpp"
 
@@ -160,21 +161,6 @@ Json influence_rows(const SceneReport& report) {
 
 double frequency_of(const SceneReport& report) {
   return report.problem.value(report.problem->angular_frequency) / two_pi;
-}
-
-OnsetSpeeds onset_speeds(const SceneReport& report) {
-  if (report.indented && !report.indented->closed_form)
-    return {report.indented->critical_velocity, report.indented->critical_velocity, true};
-  if (report.separation && !report.separation->closed_form)
-    return {report.separation->critical_velocity, report.separation->drive_velocity, true};
-  if (report.effect && report.effect->by_phase)
-    return {report.effect->critical_velocity, report.effect->drive_velocity, false};
-  return {report.critical_velocity, report.critical_velocity + report.creep_velocity, false};
-}
-
-std::string onset_sign(const SceneReport& report) {
-  const OnsetSpeeds onset = onset_speeds(report);
-  return onset.drive > onset.contact ? "v* + creep" : "v*";
 }
 
 std::optional<double> closed_up_to(const SceneReport& report) {

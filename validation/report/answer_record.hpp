@@ -6,18 +6,6 @@
 
 namespace vcrit::validation::report {
 
-/// Speeds from which on vibration lowers friction no more, m/s.
-struct OnsetSpeeds {
-  double contact = 0;      ///< v*
-  double drive = 0;        ///< larger only where the path creeps
-  bool simulated = false;  ///< as Eq. 24 is not v* there
-};
-OnsetSpeeds onset_speeds(const SceneReport& report);
-
-/// How the page calls the speed of the drive from which vibration changes nothing: "v*", or
-/// "v* + creep".
-std::string onset_sign(const SceneReport& report);
-
 /// Of the vibration, Hz.
 double frequency_of(const SceneReport& report);
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/constants.hpp"
-#include "report/answer_record.hpp"
+#include "report/onset_speeds.hpp"
 #include "report/stretches.hpp"
 #include "report/units.hpp"
 

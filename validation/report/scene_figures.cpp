@@ -7,9 +7,9 @@
 
 #include "accuracy/pictures.hpp"
 #include "report/answer_figures.hpp"
-#include "report/answer_record.hpp"
 #include "report/cycle_figures.hpp"
 #include "report/indenter_figures.hpp"
+#include "report/onset_speeds.hpp"
 #include "report/separation_figures.hpp"
 #include "report/units.hpp"
 

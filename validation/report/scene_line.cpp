@@ -8,6 +8,7 @@
 #include "base/rounded.hpp"
 #include "report/answer_figures.hpp"
 #include "report/answer_record.hpp"
+#include "report/onset_speeds.hpp"
 #include "report/units.hpp"
 #include "report/verdict.hpp"
 

@@ -1,0 +1,22 @@
+// Where vibration ends to lower friction, and how pages call it.
+#pragma once
+
+#include <string>
+
+#include "compare/scene_report.hpp"
+
+namespace vcrit::validation::report {
+
+/// Speeds from which on vibration lowers friction no more, m/s.
+struct OnsetSpeeds {
+  double contact = 0;      ///< v*
+  double drive = 0;        ///< larger only where the path creeps
+  bool simulated = false;  ///< as Eq. 24 is not v* there
+};
+OnsetSpeeds onset_speeds(const SceneReport& report);
+
+/// How the page calls the speed of the drive from which vibration changes nothing: "v*", or
+/// "v* + creep".
+std::string onset_sign(const SceneReport& report);
+
+}  // namespace vcrit::validation::report
