@@ -15,7 +15,7 @@
 #include "simulation/steady/curve.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/system/system.hpp"
-#include "stiffness/drive_structure.hpp"
+#include "stiffness/dynamic_matrix.hpp"
 
 namespace vcrit::bench {
 

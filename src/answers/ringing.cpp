@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stiffness/dynamic_matrix.hpp"
 #include "stiffness/dynamic_stiffness.hpp"
 
 namespace vcrit {

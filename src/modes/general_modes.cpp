@@ -19,9 +19,19 @@ namespace {
 using WideReal = long double;
 using WideMatrix = linear::DenseMatrix<WideReal>;
 using WideColumn = linear::DenseVector<WideReal>;
+using WideComplexMatrix = linear::DenseMatrix<std::complex<WideReal>>;
+using WideComplexColumn = linear::DenseVector<std::complex<WideReal>>;
 
 // Of the norm of A: what is left of a rate that is 0, of some dozen modes.
 constexpr WideReal no_rate = 2e-18L;
+
+// Below this share of the norm of A, rounding takes a double's digits from a mode: it is found
+// anew.
+constexpr WideReal slow_mode = 1e-3L;
+
+// A shift beside a mode, of which half the digits stay: on it nothing would be left to divide by,
+// nor by its square where two meet.
+WideReal off_mode(WideReal mode) { return 1e-9L * std::abs(mode); }
 
 // Two modes whose distance is less than this share of their size are found as a plane: each alone
 // would lose as many digits. Farther apart they lose one at most.
@@ -52,6 +62,30 @@ struct WideModes {
 };
 
 namespace {
+
+// ((A + decay)^2 - q)^-1, by its two factors. The square itself would hold the rounding of the
+// square of the norm, which hides slow modes beside a fast one.
+class NearModes {
+ public:
+  NearModes(const WideMatrix& a, WideReal decay, WideReal q) {
+    const std::complex<WideReal> distance = std::sqrt(std::complex<WideReal>(q));
+    const auto shifted = [&](std::complex<WideReal> s) {
+      WideComplexMatrix result = a.cast<std::complex<WideReal>>();
+      result.diagonal().array() += s + off_mode(std::abs(s));
+      return linear::Lu<std::complex<WideReal>>(result);
+    };
+    one_ = shifted(decay + distance);
+    other_ = shifted(decay - distance);
+  }
+
+  WideColumn weighed(const WideColumn& x) const {
+    const WideComplexColumn once = one_.solve(WideComplexColumn(x.cast<std::complex<WideReal>>()));
+    return other_.solve(once).real();
+  }
+
+ private:
+  linear::Lu<std::complex<WideReal>> one_, other_;
+};
 
 class Decomposition {
  public:
@@ -97,17 +131,46 @@ class Decomposition {
     WideColumn a, b;
   };
 
+  bool is_slow(std::complex<WideReal> s) const { return std::abs(s) < slow_mode * size_; }
+
   // What is below 0, or as small as rounding, is none.
   WideReal decaying(WideReal rate) const { return rate > no_rate * size_ ? rate : 0; }
+  WideReal decaying(WideReal rate, const WideMatrix& shapes) const {
+    return rate > no_rate * terms_of(shapes) ? rate : 0;
+  }
+  // Sizes of the terms of A for shapes of length 1: what they hardly move in has no part in them.
+  WideReal terms_of(const WideMatrix& shapes) const {
+    const WideMatrix parts = shapes.cwiseAbs();
+    return (parts.transpose() * a_.cwiseAbs() * parts).diagonal().maxCoeff();
+  }
 
   void add_single(Eigen::Index i) {
-    const WideColumn shape = eigen_.shapes.col(i);
-    singles_.emplace_back(decaying(-eigen_.values[i].real()), shape / shape.norm());
+    const WideReal rate = -eigen_.values[i].real();
+    WideColumn shape = eigen_.shapes.col(i) / eigen_.shapes.col(i).norm();
+    if (!is_slow(rate)) {
+      singles_.emplace_back(decaying(rate), shape);
+      return;
+    }
+    // By inverse iteration, whose elimination takes fast parts off before it comes to slow ones.
+    WideReal found = rate;
+    for (int turn = 0; turn < 2; ++turn) {
+      const WideReal shift = off_mode(found) - found;
+      const linear::Lu<WideReal> solver = shifted(shift);
+      for (int k = 0; k < 2; ++k) {
+        const WideColumn next = solver.solve(WideMatrix(shape)).col(0);
+        if (!next.allFinite()) break;  // the shift is the mode, to all digits
+        found = -(shift + shape.dot(next) / next.squaredNorm());
+        shape = next / next.norm();
+      }
+    }
+    singles_.emplace_back(decaying(found, shape), shape);
   }
 
   void add_pair_of(Eigen::Index i) {
     const std::complex<WideReal> s = eigen_.values[i];
-    if (s.imag() < close_modes * std::abs(s) && add_plane(-s.real(), -s.imag() * s.imag())) return;
+    if ((is_slow(s) || s.imag() < close_modes * std::abs(s)) &&
+        add_plane(-s.real(), -s.imag() * s.imag()))
+      return;
     const WideReal norm = eigen_.shapes.middleCols(i, 2).norm();
     const WideColumn real = eigen_.shapes.col(i) / norm,
                      imaginary = eigen_.shapes.col(i + 1) / norm;
@@ -128,27 +191,45 @@ class Decomposition {
     }
   }
 
+  // What A does in the plane, from its inverse beside a shift that no decaying mode has: the terms
+  // of A itself cancel where a mode is slow.
+  Eigen::Matrix<WideReal, 2, 2> inside_of(const WideMatrix& plane, WideReal decay,
+                                          WideReal q) const {
+    const WideReal shift = 2 * (std::abs(decay) + std::sqrt(std::abs(q)));
+    Eigen::Matrix<WideReal, 2, 2> inverse = plane.transpose() * shifted(shift).solve(plane);
+    Eigen::Matrix<WideReal, 2, 2> inside;
+    const WideReal determinant = inverse(0, 0) * inverse(1, 1) - inverse(0, 1) * inverse(1, 0);
+    inside << inverse(1, 1), -inverse(0, 1), -inverse(1, 0), inverse(0, 0);
+    inside /= determinant;
+    inside.diagonal().array() += shift;
+    return inside;
+  }
+
+  linear::Lu<WideReal> shifted(WideReal shift) const {
+    WideMatrix result = a_;
+    result.diagonal().array() -= shift;
+    return linear::Lu<WideReal>(result);
+  }
+
   // The plane on which (A + decay)^2 - q vanishes, by inverse iteration; it gives both numbers
   // better than the eigenvalues, which lose half of their digits where they meet. Nothing where
   // both modes are independent of each other at one rate.
   bool add_plane(WideReal decay, WideReal q) {
     const Eigen::Index n = a_.rows();
-    const WideMatrix identity = WideMatrix::Identity(n, n), shifted = a_ + decay * identity;
-    WideMatrix square = shifted * shifted - q * identity;
-    square += 1e-19L * size_ * size_ * identity;
-    const linear::Lu<WideReal> solver(square);
+    const NearModes near(a_, decay, q);
     WideMatrix plane(n, 2);
     for (Eigen::Index i = 0; i < n; ++i) {
       plane(i, 0) = std::cos(static_cast<WideReal>(i + 1));
       plane(i, 1) = std::sin(static_cast<WideReal>(2 * i + 1));
     }
     for (int i = 0; i < 4; ++i) {
-      plane = solver.solve(plane);
+      for (int k = 0; k < 2; ++k) plane.col(k) = near.weighed(plane.col(k));
       plane.col(0) /= plane.col(0).norm();
       for (int k = 0; k < 2; ++k) plane.col(1) -= plane.col(0) * plane.col(0).dot(plane.col(1));
       plane.col(1) /= plane.col(1).norm();
     }
-    Eigen::Matrix<WideReal, 2, 2> inside = plane.transpose() * a_ * plane;
+    Eigen::Matrix<WideReal, 2, 2> inside = inside_of(plane, decay, q);
+    if (!inside.allFinite()) return false;
     const WideReal mean = inside.trace() / 2;
     inside -= mean * Eigen::Matrix<WideReal, 2, 2>::Identity();
     if (inside.norm() <= 1e-12L * std::abs(mean)) return false;
@@ -160,7 +241,7 @@ class Decomposition {
       const WideReal area = std::abs(one[0] * other[1] - one[1] * other[0]);
       if (area > widest) widest = area, best = one;
     }
-    planes_.push_back({decaying(-mean), exact, plane * best, plane * (inside * best)});
+    planes_.push_back({decaying(-mean, plane), exact, plane * best, plane * (inside * best)});
     return true;
   }
 

@@ -23,8 +23,9 @@ using MotionColumn = linear::DenseVector<MotionReal>;
 constexpr MotionReal no_stiffness = 1e-17L;
 
 // What of A^k F is new by less than this share is rounding of the drive's numbers, which are
-// doubles: the body sees the square of it. And of sums in these numbers by less than the second.
-constexpr MotionReal no_part = 64 * epsilon, no_share_of_all = 1e-18L;
+// doubles: the body sees the square of it. And of the terms of the last step by less than the
+// second: not of all of A, where one part may relax very much faster than those that matter.
+constexpr MotionReal no_part = 64 * epsilon, no_share_of_terms = 1e-18L;
 
 Eigen::Index place_at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
@@ -143,13 +144,13 @@ MotionMatrix reachable(const MotionMatrix& a, const MotionColumn& port) {
   const Eigen::Index n = a.rows();
   MotionMatrix basis = MotionMatrix::Zero(n, 1);
   basis.col(0).head(port.size()) = port / port.norm();
-  const MotionReal whole = a.norm();
+  const MotionMatrix sizes = a.cwiseAbs();
   while (basis.cols() < n) {
     MotionColumn next = a * basis.rightCols(1);
-    const MotionReal size = next.norm();
+    const MotionReal size = next.norm(), terms = (sizes * basis.rightCols(1).cwiseAbs()).norm();
     for (int i = 0; i < 3; ++i) next -= basis * (basis.transpose() * next);
     const MotionReal left = next.norm();
-    if (!(left > no_part * size && left > no_share_of_all * whole)) break;
+    if (!(left > no_part * size && left > no_share_of_terms * terms)) break;
     basis.conservativeResize(n, basis.cols() + 1);
     basis.col(basis.cols() - 1) = next / left;
   }

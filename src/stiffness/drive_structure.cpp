@@ -356,27 +356,4 @@ DriveStructure stiffer(DriveStructure structure, double times) {
   return structure;
 }
 
-std::vector<std::complex<long double>> displacements(const DriveStructure& structure,
-                                                     std::complex<long double> s) {
-  using ComplexMatrix = linear::DenseMatrix<std::complex<StructureReal>>;
-  using ComplexColumn = linear::DenseVector<std::complex<StructureReal>>;
-  check_sizes(structure);
-  const std::size_t n = structure.mass.size();
-  const auto at = [](std::size_t i) { return static_cast<Eigen::Index>(i); };
-  ComplexMatrix dynamic(at(n), at(n));
-  ComplexColumn port(at(n));
-  for (std::size_t i = 0; i < n; ++i) {
-    port[at(i)] = structure.port[i];
-    for (std::size_t j = 0; j < n; ++j) {
-      dynamic(at(i), at(j)) = structure.stiffness(i, j) + s * structure.damping(i, j);
-      for (const DriveBranch& branch : structure.branches)
-        dynamic(at(i), at(j)) += branch.stiffness * branch.pull[i] * branch.pull[j] * branch.time *
-                                 s / (StructureReal(1) + branch.time * s);
-    }
-    dynamic(at(i), at(i)) += static_cast<StructureReal>(structure.mass[i]) * s * s;
-  }
-  const ComplexColumn found = linear::solve_fully_pivoted(dynamic, port);
-  return {found.begin(), found.end()};
-}
-
 }  // namespace vcrit

@@ -6,7 +6,6 @@
 // are eliminated: their relaxation is among the f_j, and all k_j are > 0.
 #pragma once
 
-#include <complex>
 #include <optional>
 #include <vector>
 
@@ -49,10 +48,5 @@ DriveStructure drive_structure(const Network& drive, const Values& values, doubl
 
 /// The same masses with all that holds them so many times as stiff, but for the lead.
 DriveStructure stiffer(DriveStructure structure, double times);
-
-/// Displacement of each of the masses for a force on the body's end, q(s)/F (m/N). Their sum
-/// weighted by p is the receptance of the drive with the body, without the lead.
-std::vector<std::complex<long double>> displacements(const DriveStructure& structure,
-                                                     std::complex<long double> s);
 
 }  // namespace vcrit

@@ -96,6 +96,37 @@ class Masses(Drives):
         self.write(text + 'm = "4 g"\n')
         self.assertEqual(self.value("s.toml"), self.value(SONOTRODE))
 
+    # A light mass that dampers drag decays a billion times faster than the units beside it relax: these are found all the
+    # same. With [body] the motion is found without this matrix of all masses.
+    def test_a_light_mass_before_units_that_relax_alike(self):
+        elements = {"k": [1e6, 2e6, 1.5e6, 3e6], "tau": [9e-6, 1e-5, 1.1e-5, 1.2e-5], "kn": 8e6, "kt": 7e6, "ct": 30}
+        values = {"normal": "kn", "tangential": "kt | ct", "angular_frequency": 1e5, "amplitude": 2e-7,
+                  "indentation": 5e-7, "coefficient": 0.3}
+        for mass in [1e-13, 1e-16]:
+            one = self.scene(elements, network="generalized_kelvin(k, tau)", mass=mass, **values)
+            expected = self.answer("simulate", one, "--velocity-ratio", "0.5")
+            two = self.scene(elements | {"mb": mass}, network="mass(mb) | generalized_kelvin(k, tau)", **values)
+            found = self.answer("simulate", two, "--velocity-ratio", "0.5")
+            self.assertLess(found["friction_ratio_error"], 1e-13)
+            self.assertAlmostEqual(found["friction_ratio"], expected["friction_ratio"], delta=1e-13)
+
+    # Two masses on a rigid link are one; what rounding takes of the drive behind it is stated, or the scene is refused.
+    def test_a_link_that_is_nearly_rigid(self):
+        values = {"normal": "kn", "tangential": "kt | ct", "angular_frequency": 1e5, "amplitude": 2e-7,
+                  "indentation": 5e-7, "coefficient": 0.3}
+        elements = {"kd": 3e6, "cd": 20, "kn": 8e6, "kt": 7e6, "ct": 30}
+        one = self.scene(elements, network="kd | cd", mass=3e-4, **values)
+        expected = self.answer("simulate", one, "--velocity-ratio", "0.5")["friction_ratio"]
+        for link in [1e18, 1e21]:
+            two = self.scene(elements | {"ks": link, "mm": 2e-4}, network="ks - (mass(mm) | kd | cd)", mass=1e-4, **values)
+            found = self.answer("simulate", two, "--velocity-ratio", "0.5")
+            self.assertLess(abs(found["friction_ratio"] - expected), found["friction_ratio_error"])
+            self.assertLess(found["friction_ratio_error"], 1e-4)
+        for network, more in [("ks - (mass(mm) | kd | cd)", {"ks": 1e24}),
+                              ("(ks | cs) - (mass(mm) | kd | cd)", {"ks": 1e21, "cs": 1e16})]:
+            two = self.scene(elements | more | {"mm": 2e-4}, network=network, mass=1e-4, **values)
+            self.refused(3, ["simulate", two, "--velocity-ratio", "0.5"], "so different in stiffness, damping or mass")
+
 
 class Measured(Drives):
     def measured(self, *words, **more):

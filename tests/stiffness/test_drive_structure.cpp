@@ -13,6 +13,7 @@
 #include "network/expression.hpp"
 #include "problem/problem.hpp"
 #include "stiffness/drive_motion.hpp"
+#include "stiffness/dynamic_matrix.hpp"
 #include "support/nodal.hpp"
 #include "support/scene_text.hpp"
 

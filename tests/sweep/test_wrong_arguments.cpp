@@ -18,6 +18,7 @@
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/mass_amplitudes.hpp"
 #include "stiffness/drive_motion.hpp"
+#include "stiffness/dynamic_matrix.hpp"
 #include "stiffness/relaxation.hpp"
 #include "support/refusal.hpp"
 #include "support/scene_text.hpp"

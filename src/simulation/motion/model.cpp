@@ -167,6 +167,7 @@ Model::Model(const System& system) : effort(effort_of_state, system.effort) {
   }
   if (system.masses) {
     Masses masses(system.masses->motion, system.omega, stiffness_unit);
+    merging = system.masses->rounding;
     body = Body{masses.mass, {}, masses.fluidity, std::move(masses)};
     free_harmonic = simulation::free_harmonic(system);
   }

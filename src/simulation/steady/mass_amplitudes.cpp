@@ -8,6 +8,7 @@
 #include "simulation/steady/near_resonance.hpp"
 #include "simulation/steady/quadrature.hpp"
 #include "simulation/steady/steady_cycle.hpp"
+#include "stiffness/dynamic_matrix.hpp"
 
 namespace vcrit::simulation {
 

@@ -29,8 +29,7 @@ std::vector<long double> numbers_of(const VectorXd& vector) {
 // Where nothing gives at the end but the modes, the end would be rigid: a spring that a thousandth
 // of a billionth of what gives would not tell from one.
 double least_alpha(const Structure& structure) {
-  const double compliance =
-      structure.phi.cwiseQuotient(structure.frequency).squaredNorm();
+  const double compliance = structure.phi.cwiseQuotient(structure.frequency).squaredNorm();
   return std::copysign(std::max(std::abs(structure.alpha), 1e-6 * std::sqrt(compliance)),
                        structure.alpha);
 }

@@ -2,18 +2,17 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
-#include "linear/elimination.hpp"
 #include "normal/mean_indentation.hpp"
 #include "normal/mount.hpp"
 #include "rules/rulebook.hpp"
 #include "simulation/system/check.hpp"
+#include "simulation/system/drive_rounding.hpp"
 #include "simulation/system/measured_drive.hpp"
 #include "stiffness/structure_check.hpp"
 
@@ -51,41 +50,6 @@ struct Product {
     low -= high - next;
   }
 };
-
-/// Displacement of the body's end over the force on it at s = omega (m/N): on the positive real
-/// axis nothing resonates, and no digit is lost.
-long double compliance(const DriveStructure& structure, double omega) {
-  const auto each = displacements(structure, omega);
-  long double sum = 0;
-  for (std::size_t i = 0; i < each.size(); ++i) sum += structure.port[i] * each[i].real();
-  return sum;
-}
-
-long double compliance(const DriveMotion& motion, double omega) {
-  const auto n = static_cast<Eigen::Index>(motion.rates.rows());
-  linear::DenseMatrix<long double> matrix(n, n);
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < n; ++j)
-      matrix(i, j) = (i == j ? omega : 0.0L) -
-                     motion.rates(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
-  linear::DenseVector<long double> force = linear::DenseVector<long double>::Zero(n);
-  force[0] = 1 / static_cast<long double>(motion.mass);
-  return linear::solve_fully_pivoted(matrix, force)[0] / omega;
-}
-
-// Masses many orders of magnitude apart leave some of the drive out of its motion, as rounding.
-constexpr long double lost_part = 1e-9L;
-
-void require_whole_drive(const DriveStructure& structure, const DriveMotion& motion, double omega) {
-  if (!(omega > 0)) return;
-  const long double right = compliance(structure, omega), found = compliance(motion, omega);
-  if (std::abs(found - right) > lost_part * std::abs(right))
-    throw ModelError(
-        "the masses of drive and body are too many orders of magnitude apart for a "
-        "motion in doubles",
-        "Eq. (24) has no such limit; for friction leave out a mass that is next to "
-        "nothing");
-}
 
 double glassy_stiffness(const Relaxation& form) {
   double sum = form.equilibrium;
@@ -184,11 +148,11 @@ void hold_by(System& system, DriveStructure structure) {
   check_structure(structure);
   if (structure.lead) system.contact = series({system.contact, *structure.lead});
   DriveMotion motion = drive_motion(structure);
-  require_whole_drive(structure, motion, system.omega);
+  const double rounding = drive_rounding(structure, motion, system.contact, system.omega);
   system.drive.reset();
   system.mass.reset();
-  system.masses =
-      std::make_shared<DriveWithMasses>(DriveWithMasses{std::move(structure), std::move(motion)});
+  system.masses = std::make_shared<DriveWithMasses>(
+      DriveWithMasses{std::move(structure), std::move(motion), rounding});
 }
 
 System system_of(const Problem& problem) {

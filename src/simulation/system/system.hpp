@@ -22,6 +22,7 @@ class KnownModes;
 struct DriveWithMasses {
   DriveStructure structure;
   DriveMotion motion;
+  double rounding = 0;  ///< drive_rounding() of both
 };
 
 /// A body drawn through the drive with its contact below; what the scene lacks is absent.
