@@ -180,6 +180,23 @@ BOOST_AUTO_TEST_CASE(a_wide_system_is_drawn_in_less_room) {
   }
 }
 
+// A generalized Kelvin element names its spring twice, and two networks may have one spring.
+BOOST_AUTO_TEST_CASE(a_number_is_listed_once) {
+  const std::string svg =
+      svg_of(draw_system(vcrit::test::scene_of({.normal = "kn | generalized_kelvin(k, tau, 2)",
+                                                .tangential = "kn | (k1 - c1)",
+                                                .network = "kd - cd",
+                                                .elements = {{"kn", 8e6},
+                                                             {"k", std::vector{3e6, 5e6}},
+                                                             {"tau", std::vector{2e-6, 9e-6}},
+                                                             {"k1", 4e6},
+                                                             {"c1", 30},
+                                                             {"kd", 2e6},
+                                                             {"cd", 7}}})));
+  for (const char* number : {"= 8 N/µm", "= 3 N/µm", "= 5 N/µm", "= 2 µs", "= 4 N/µm"})
+    BOOST_TEST(occurrences(svg, number) == 1U, number);
+}
+
 // A network that stands has its words beside it, and they are read without tilting one's head.
 BOOST_AUTO_TEST_CASE(words_of_a_standing_network_are_upright) {
   const Drawing one = draw(k("k1"), {true, {}});

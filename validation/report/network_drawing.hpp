@@ -16,6 +16,7 @@ namespace vcrit::validation::report {
 /// here on, if it says how far.
 struct Word {
   std::string style, text, shift;
+  friend bool operator==(const Word&, const Word&) = default;
 };
 using Label = std::vector<Word>;
 

@@ -52,8 +52,9 @@ class DrawnNetwork {
         const char* unit = dimension == Dimension::none ? "" : si_unit(dimension);
         const double* const known = problem.values().find(symbol);
         if (known == nullptr) return;
-        order.push_back(as_called(problem, symbol));
-        words[order.back()] = " = " + quantity(*known, unit, 4);
+        const Symbol called = as_called(problem, symbol);
+        if (words.emplace(called, " = " + quantity(*known, unit, 4)).second)
+          order.push_back(called);
       });
     });
     rename(network, [&](const Symbol& symbol) { return as_called(problem, symbol); });
@@ -185,7 +186,8 @@ class SystemDrawing {
 Drawing SystemDrawing::network(const ReducedNetwork& given, bool standing) {
   const bool of_half_space = problem_->indenter && &given == &problem_->normal;
   const DrawnNetwork drawn(problem_, given, standing, layout_, of_half_space);
-  list_.insert(list_.end(), drawn.values().begin(), drawn.values().end());
+  for (const Label& value : drawn.values())  // a number of two networks once
+    if (std::find(list_.begin(), list_.end(), value) == list_.end()) list_.push_back(value);
   return drawn.drawing();
 }
 
