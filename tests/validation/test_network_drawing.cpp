@@ -197,6 +197,21 @@ BOOST_AUTO_TEST_CASE(a_number_is_listed_once) {
     BOOST_TEST(occurrences(svg, number) == 1U, number);
 }
 
+// Its line is 8 below the upper edge of the foot; the body's lower edge is at 0.
+BOOST_AUTO_TEST_CASE(a_high_network_along_the_surface_stays_below_the_body) {
+  const Picture picture = draw_system(vcrit::test::scene_of(
+      {.normal = "kn",
+       .tangential = "k1 | k2 | k3 | k4",
+       .elements = {{"kn", 8e6}, {"k1", 4e6}, {"k2", 4e6}, {"k3", 4e6}, {"k4", 4e6}}}));
+  const double above = draw(parallel({k("k1"), k("k2"), k("k3"), k("k4")})).above;
+  const auto& shapes = picture.drawing.shapes;
+  const auto foot = std::find_if(shapes.begin(), shapes.end(), [](const DrawnShape& shape) {
+    return shape.style == "solid" && shape.d.find('h') != std::string::npos;
+  });
+  BOOST_REQUIRE((foot != shapes.end()));
+  BOOST_TEST(std::stod(foot->d.substr(foot->d.find(' '))) + 8 >= above);
+}
+
 // A network that stands has its words beside it, and they are read without tilting one's head.
 BOOST_AUTO_TEST_CASE(words_of_a_standing_network_are_upright) {
   const Drawing one = draw(k("k1"), {true, {}});

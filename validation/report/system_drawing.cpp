@@ -219,17 +219,21 @@ SystemDrawing::Contact SystemDrawing::draw_contact(const Drawing& normal) {
   const Drawing tangential = own == nullptr ? Drawing() : network(*own, false);
   const double foot = own == nullptr ? foot_height : std::max(foot_height, tangential.below + 16);
   const double gap = problem_->separation ? 7 : 0;
-  const double sole = normal.width + foot, surface = sole + gap;
+  // So low that the network along the surface, on a line at `along`, stays below the body.
+  constexpr double along = 8, clear = 6;
+  const double ankle = std::max(normal.width, tangential.above + clear - along);
+  const double sole = ankle + foot, surface = sole + gap;
   canvas_.put(standing(normal));
+  if (ankle > normal.width) canvas_.put({line(0, normal.width, 0, ankle)});
   canvas_.reach(-normal.below, normal.above, 0, surface);
-  canvas_.put({path(fmt::format("M{:.1f} {:.1f}h{:.1f}v{:.1f}h{:.1f}z", -foot_width / 2,
-                                normal.width, foot_width, foot, -foot_width),
+  canvas_.put({path(fmt::format("M{:.1f} {:.1f}h{:.1f}v{:.1f}h{:.1f}z", -foot_width / 2, ankle,
+                                foot_width, foot, -foot_width),
                     "solid")});
   double right = std::max(normal.above, body_reach);
   if (own != nullptr)
-    right = draw_tangential(tangential, normal.width + 8, foot_width / 2,
-                            right + tangential.width + 20) +
-            8;
+    right =
+        draw_tangential(tangential, ankle + along, foot_width / 2, right + tangential.width + 20) +
+        8;
   const double left = std::min(-normal.below, -body_reach) - (in_list() ? 8 : 40);
   canvas_.put(ground(left, surface, std::max(right, body_reach) + (in_list() ? 0 : 12) - left));
   canvas_.reach(left, right, surface, surface + 8);
