@@ -253,7 +253,8 @@ SceneReport agree(Driver& driver, const symbolic::Derivation& formula, const Pro
   report.reasons = inadmissible_reasons(problem);
   // What is said of the scene is what vcrit eval says: of the numbers as typed. Next to a resonance
   // v* of the doubles, which is finite there, may be another one. Motions have doubles alone.
-  const bool by_formula = static_cast<bool>(rules::answer(rules::Question::formula, problem));
+  const bool by_formula =
+      report.reasons.empty() && rules::answer(rules::Question::formula, problem);
   const Problem& told = by_formula ? typed : problem;
   const std::optional<CriticalOnset> onset = answered_onset(report, told);
   report.formula_applies = report.reasons.empty() && by_formula;

@@ -131,6 +131,11 @@ double PeriodicMotion::missing_friction(double velocity) const {
 
 double PeriodicMotion::highest() const { return fastest_speed * unit_; }
 
+// Beside an antiresonance digits are lost as the border falls: as many as the grid leaves open.
+double PeriodicMotion::lowest() const {
+  return extended * formula_tolerance(1) / resolution() * unit_;
+}
+
 double PeriodicMotion::border() const {
   const auto sticks = [&](double velocity) {
     const std::vector<double> x = lost(velocity);
@@ -163,9 +168,8 @@ Comparison compare_periodic_motion(const SceneReport& report) {
     const PeriodicMotion motion(report.problem);
     if (std::isnan(comparison.expected))
       return not_run(comparison, "the border of so many free swings is not known");
-    const double rounding = extended * formula_tolerance(report.condition);
     if (is_speed(comparison.expected) &&
-        (comparison.expected > motion.highest() || rounding > PeriodicMotion::resolution()))
+        (comparison.expected > motion.highest() || comparison.expected < motion.lowest()))
       return not_run(comparison, lost_digits);
     comparison.found = motion.border();
   } catch (const ModelError& error) {

@@ -30,6 +30,8 @@ class PeriodicMotion {
   double border() const;
   /// The highest border that is told from none, m/s.
   double highest() const;
+  /// The lowest one that rounding leaves as many digits as resolution(), m/s.
+  double lowest() const;
 
   /// What of the border, as a share, the grid leaves open: half a step from its slowest instant.
   static double resolution();
