@@ -50,7 +50,7 @@ constexpr std::array<TypicalNumbers, 5> typical_numbers{
       "force over displacement: static test, or DMA (vcrit fit)"},
      {NumberRole::damping,
       {"30 N.s/m", "20 N.s/m", "10 N.s/m", "5 N.s/m"},
-      "DMA (vcrit fit); beside springs alone: loss stiffness over 2 pi f"},
+      "DMA (vcrit fit): loss stiffness/(2 pi f) in parallel"},
      {NumberRole::time,
       {"100 us", "10 us", "1 us", "0.1 us"},
       "one over the angular frequency of a loss peak: DMA"},
