@@ -107,8 +107,7 @@ Border border_of(const SceneReport& report, const CriticalOnset& onset) {
   return border;
 }
 
-// Speeds just below and above v* are told apart by the v* of what marches, which a simulated one
-// is.
+// Speeds just below and above v* are told apart by the v* of what marches: a simulated one is that.
 Border border_of_march(const SceneReport& report, const Border& border) {
   if (!is_measured(report) || !by_formula(report)) return border;
   const double fitted = realised_velocity(report.problem).value;
