@@ -29,8 +29,8 @@ constexpr WideReal no_rate = 2e-18L;
 // anew.
 constexpr WideReal slow_mode = 1e-3L;
 
-// How far a shift stands off a mode: half of its digits. On the mode nothing would be left to divide
-// by, and where two modes meet one divides by this twice.
+// How far a shift stands off a mode: half of its digits. On the mode nothing would be left to
+// divide by, and where two modes meet one divides by this twice.
 WideReal off_mode(WideReal mode) { return 1e-9L * std::abs(mode); }
 
 // Two modes whose distance is less than this share of their size are found as a plane: each alone
