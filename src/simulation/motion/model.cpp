@@ -304,19 +304,14 @@ void Model::set_sliding() {
   if (!body) return;
   if (body->masses) return set_sliding_of_masses();
   const PoleSum& drive = body->drive;
-  std::complex<double> impedance = 1i * body->mass + drive.direct;
-  double size = body->mass + drive.direct;
-  for (Index j = 0; j < drive.rates.size(); ++j) {
-    const std::complex<double> part = drive.weights[j] / (drive.rates[j] + 1i);
-    impedance += part;
-    size += std::abs(part);
-  }
-  resonance = size / std::abs(impedance);
-  if (impedance == 0.0) {
+  const std::complex<double> mobility = body->mobility(1i);
+  resonance = 1 + std::abs(mobility) / body->mobility(1).real();
+  if (!(resonance < infinity)) {
+    resonance = infinity;
     sliding_velocity = infinity;
     return;
   }
-  const std::complex<double> velocity = -amplitude / impedance;
+  const std::complex<double> velocity = -amplitude * mobility;
   sliding_velocity += velocity;
   sliding_rates[0] = 1i * velocity;
   for (Index j = 0; j < drive.rates.size(); ++j)
@@ -324,15 +319,13 @@ void Model::set_sliding() {
   creep += body->fluidity;
 }
 
-// The impedance of u is that of the mass, of what the drive adds to it, and of their sum, 1/m times
-// the inverse of the mobility.
 void Model::set_sliding_of_masses() {
   using namespace std::complex_literals;
   const Masses& masses = *body->masses;
   const List<std::complex<double>> answer = response(masses.exact, 1i);
-  const double direct = masses.rates(0, 0);
-  resonance =
-      (1 + std::abs(direct)) * std::abs(answer[0]) + std::abs(1.0 - (1i - direct) * answer[0]);
+  const double at_rising_force = response(masses.exact, 1)[0].real();
+  resonance = 1 + std::abs(answer[0]) / at_rising_force;
+  unlike = (1 + std::abs(masses.rates(0, 0))) * at_rising_force;
   if (!(resonance < infinity) || free_harmonic == 1) {
     resonance = infinity;
     sliding_velocity = infinity;

@@ -11,6 +11,7 @@
 #include "simulation/steady/full_friction.hpp"
 #include "simulation/steady/near_resonance.hpp"
 #include "simulation/steady/shooting.hpp"
+#include "simulation/system/drive_rounding.hpp"
 
 namespace vcrit::simulation {
 
@@ -24,7 +25,7 @@ constexpr double good_miss = 0.3;
 constexpr double nearly = 1e3, strictly = 1;
 
 // Where rounding errors would grow beyond this, no digits of the motion are left to speak of.
-constexpr double fastest_creep = 1e7;
+constexpr double fastest_creep = 1e7, most_unlike = 1e7;
 
 // So far below v* a stick is lost where rounding hides the whole motion, not where it is short.
 constexpr double most_without_stick = 1e-2;
@@ -34,6 +35,7 @@ void check_reach(const Model& model) {
   if (lost_in_resonance(model))
     throw ModelError(
         "body and drive are in undamped resonance: the swing in slip grows without bound");
+  if (!(model.unlike < most_unlike)) parts_too_different();
   // A contact that opens excites harmonics as well, even where the first harmonic moves nothing.
   const double swing =
       std::max(std::abs(model.sliding_velocity), model.opening ? model.amplitude : 0);

@@ -12,6 +12,13 @@
 
 namespace vcrit::simulation {
 
+void parts_too_different() {
+  throw ModelError(
+      "parts of the drive are so different in stiffness, damping or mass that rounding hides "
+      "what moves the body",
+      "leave the stiffest links out, which join masses to one, and the lightest masses");
+}
+
 // All is asked at s = omega: on the positive real axis nothing resonates, so that a digit is lost
 // for no other reason.
 double drive_rounding(const DriveStructure& structure, const DriveMotion& motion,
@@ -26,11 +33,7 @@ double drive_rounding(const DriveStructure& structure, const DriveMotion& motion
                share =
                    std::max(static_cast<double>(right.error), std::abs(found - receptance)) / all;
   require_si_doubles(!std::isnan(share));
-  if (share > most)
-    throw ModelError(
-        "parts of the drive are so different in stiffness, damping or mass that rounding hides "
-        "what moves the body",
-        "leave the stiffest links out, which join masses to one, and the lightest masses");
+  if (share > most) parts_too_different();
   return share > usual ? share : 0;
 }
 

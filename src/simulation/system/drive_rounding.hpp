@@ -13,4 +13,7 @@ namespace vcrit::simulation {
 double drive_rounding(const DriveStructure& structure, const DriveMotion& motion,
                       const Relaxation& contact, double omega);
 
+/// Throws the ModelError of parts that are too different for the motion of the drive.
+[[noreturn]] void parts_too_different();
+
 }  // namespace vcrit::simulation

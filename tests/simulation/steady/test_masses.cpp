@@ -270,4 +270,21 @@ BOOST_AUTO_TEST_CASE(in_undamped_resonance) {
   BOOST_TEST(mass_amplitudes(resonant, velocity).empty());
 }
 
+// A damper that joins two masses to one cancels in the force on either, and resonates with nothing.
+// Beyond what doubles hold it is refused by its right name; sliding is known all the same.
+BOOST_AUTO_TEST_CASE(a_stiff_damper_is_no_resonance) {
+  const auto linked = [](double damper) {
+    return system(chain("(ks | cs) - (mass(ms) | km | cm)",
+                        {{"ks", 1e8}, {"cs", damper}, {"ms", 1}, {"km", 2}, {"cm", 0.4}}));
+  };
+  const System of = linked(1e6), rigid = system(chain("kd | cd", {{"kd", 2}, {"cd", 0.4}}, 1.4));
+  const double velocity = sliding_threshold(rigid).contact_velocity;
+  BOOST_TEST(std::abs(sliding_threshold(of).contact_velocity - velocity) < 1e-7 * velocity);
+  BOOST_TEST(std::abs(friction(of, velocity / 2) - friction(rigid, velocity / 2)) < 1e-7);
+  const System beyond = linked(1e10);
+  BOOST_TEST(std::abs(sliding_threshold(beyond).contact_velocity - velocity) < 1e-7 * velocity);
+  BOOST_TEST(test::refused<ModelError>([&] { friction(beyond, velocity / 2); },
+                                       "parts of the drive are so different"));
+}
+
 BOOST_AUTO_TEST_SUITE_END()
