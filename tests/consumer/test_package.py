@@ -179,11 +179,12 @@ class Package(unittest.TestCase):
         for scene in ["zener.toml", "measured_drive.toml"]:
             self.assertIn("critical velocity", done(self.prefix / "bin/vcrit", "eval", share / "scenes" / scene))
 
-    def test_links_of_the_readme_lead_somewhere(self):
+    def test_links_of_its_texts_lead_somewhere(self):
         share = self.prefix / "share/doc/vcrit"
-        links = [link for link in re.findall(r"\]\(([^)#\s]+)", (share / "README.md").read_text()) if ":" not in link]
-        self.assertGreater(len(links), 20)
-        self.assertEqual([link for link in links if not (share / link).exists()], [])
+        links = [(page, link) for page in share.rglob("*.md") for link in re.findall(r"\]\(([^)#\s]+)", page.read_text())
+                 if ":" not in link]
+        self.assertGreater(len({page for page, _ in links}), 20)
+        self.assertEqual([(page.name, link) for page, link in links if not (page.parent / link).exists()], [])
 
     # The lines of docs/library.md and no more: no standard, no second language.
     def test_project_of_the_library_page(self):
