@@ -121,7 +121,7 @@ std::optional<Figure> answer_figure(const SceneReport& report) {
   figure.caption = fmt::format(
       "Mean friction with vibration over that without{}, by simulation. Above {} "
       "vibration changes nothing.",
-      std::isfinite(full_friction) ? ", " + rounded(full_friction, "N") : "", onset_sign(report));
+      std::isfinite(full_friction) ? ", " + rounded(full_friction, "N") : "", at.sign());
   figure.height = 280;
   figure.x = {"sliding speed, " + scale.unit, false, std::pair{0.0, end * scale.factor}, {}};
   figure.y = {"friction / friction without vibration", false, std::pair{0.0, 1.05}, {}};
@@ -143,7 +143,7 @@ std::optional<Figure> answer_figure(const SceneReport& report) {
   const double onset = at.drive * scale.factor;
   figure.bands = {{0, onset, "stick-slip"}};
   figure.rules.push_back(
-      {onset, fmt::format("{} = {:.4g} {}", onset_sign(report), onset, scale.unit), false});
+      {onset, fmt::format("{} = {:.4g} {}", at.sign(), onset, scale.unit), false});
   if (const auto lowest = lowest_of(report)) {
     figure.series.push_back({"", Style::circles, {{0, *lowest, "lowest at rest"}}, 0});
     if (*lowest < 0.98)

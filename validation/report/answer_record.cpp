@@ -48,8 +48,7 @@ Json speed_key(const SceneReport& report) {
   if (onset.simulated) note = "by simulation";
   if (onset.contact == 0) note = "no effect at any speed";
   if (!std::isfinite(onset.contact)) note = "an effect at every speed";
-  if (onset.drive > onset.contact)
-    note = "with creep the drive runs at " + in_few_digits(onset.drive, "m/s");
+  if (onset.creeps()) note = "with creep the drive runs at " + in_few_digits(onset.drive, "m/s");
   return key_number("Critical speed v*", onset.contact, "m/s", note);
 }
 
@@ -64,8 +63,7 @@ void add_power(const SceneReport& report, Json& keys) {
   const double force = report.cycle->friction_ratio * report.effect->friction_coefficient *
                        *report.effect->mean_normal_force;
   // v* + creep, half of which the cycle has, is no name for a number: the speed below it says all.
-  const bool creeps = onset_speeds(report).drive > onset_speeds(report).contact;
-  const bool half = report.cycle->ratio == 0.5 && !creeps;
+  const bool half = report.cycle->ratio == 0.5 && !onset_speeds(report).creeps();
   keys.push_back(key_number(half ? "Power at v*/2" : "Power", force * report.cycle->velocity, "W",
                             "lost at " + in_few_digits(report.cycle->velocity, "m/s")));
 }

@@ -81,9 +81,8 @@ Figure cycle_figure(const SceneReport& report, const char* name, int height) {
 std::string share_of_onset(const SceneReport& report) {
   const double ratio = report.cycle->ratio;
   if (ratio == 0) return {};
-  const std::string sign = onset_sign(report);
   return fmt::format(", {} of {}", ratio == 0.5 ? "half" : fmt::format("{:.3g}", ratio),
-                     sign == "v*" ? sign : "(" + sign + ")");
+                     onset_speeds(report).factor());
 }
 
 }  // namespace

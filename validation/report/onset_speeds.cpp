@@ -12,9 +12,8 @@ OnsetSpeeds onset_speeds(const SceneReport& report) {
   return {report.critical_velocity, report.critical_velocity + report.creep_velocity, false};
 }
 
-std::string onset_sign(const SceneReport& report) {
-  const OnsetSpeeds onset = onset_speeds(report);
-  return onset.drive > onset.contact ? "v* + creep" : "v*";
-}
+std::string OnsetSpeeds::sign() const { return creeps() ? "v* + creep" : "v*"; }
+
+std::string OnsetSpeeds::factor() const { return creeps() ? "(" + sign() + ")" : sign(); }
 
 }  // namespace vcrit::validation::report

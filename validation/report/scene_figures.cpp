@@ -69,8 +69,7 @@ std::vector<Figure> scene_figures(const SceneContents& contents) {
 }
 
 std::string speed_axis(const SceneReport& report) {
-  const std::string sign = onset_sign(report);
-  return sign == "v*" ? "v₀ / v*" : "v₀ / (" + sign + ")";
+  return "v₀ / " + onset_speeds(report).factor();
 }
 
 Figure friction_figure(const SceneReport& report) {
