@@ -117,9 +117,9 @@ void plot(const PlotOptions& options) {
   fmt::print("{}\n", out.string());
 }
 
-// A picture may be named by what lies across it, before the names are checked.
+// A picture may be named by what is drawn over its axis, too, before the names are checked.
 std::string picture_over(std::string& name) {
-  if (name == "speed" || name == "velocity") name = "friction";
+  if (name == "friction" || name == "velocity") name = "speed";
   return {};
 }
 
@@ -132,7 +132,7 @@ void add_plot(CLI::App& program) {
   options->scene.add_to(*command);
   CLI::Option* over = add_choice(
       *command, "--over,--of", options->shown,
-      {{"friction", Shown::friction}, {"frequency", Shown::frequency}, {"cycle", Shown::cycle}},
+      {{"speed", Shown::friction}, {"frequency", Shown::frequency}, {"cycle", Shown::cycle}},
       "friction over speed; v* over frequency; force and velocity over one period");
   over->transform(CLI::Validator(picture_over, ""));
   command
