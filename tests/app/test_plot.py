@@ -61,6 +61,9 @@ class Plot(Case):
             texts = [self.out("plot", ZENER, *each) for each in names]
             self.assertEqual(texts, [texts[0]] * len(texts), names)
 
+    def test_the_help_names_pictures_as_the_documents_do(self):
+        self.assertIn("{speed,frequency,cycle}=speed", self.out("plot", "--help"))
+
     def test_a_terminal_names_the_other_pictures(self):
         shown = self.on_terminal("plot", ZENER)
         self.assertEqual(shown.splitlines()[-1], "more: --over frequency | --cycle | --to SPEED | --out FILE.svg")
