@@ -9,6 +9,7 @@
 #include "base/output_places.hpp"
 #include "commands.hpp"
 #include "options.hpp"
+#include "problem/input_files.hpp"
 #include "record/fields.hpp"
 #include "report/explore_page.hpp"
 
@@ -40,7 +41,7 @@ std::filesystem::path page_file(const ExploreOptions& options) {
 void explore(const ExploreOptions& options) {
   const Problem problem = options.scene.read();
   const std::filesystem::path out = page_file(options);
-  refuse_input_as_output(out, files_of(problem));
+  refuse_input_as_output(out, input_files(problem));
   const std::string page = validation::report::explore_page(problem);
   write_file(out, page);
   if (options.json) return print(record::json_of(Explored{out.string(), page.size()}));

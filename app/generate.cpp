@@ -40,7 +40,7 @@ void generate(const GenerateArguments& options) {
       symbolic::code_files(symbolic::derive(problem), options.name, options.generated);
   Written written{options.generated.language,
                   {},
-                  symbolic::write_code(files, options.directory),
+                  symbolic::write_code(files, options.directory, problem),
                   problem->source->warnings};
   for (std::size_t i = 0; i < files.size(); ++i)
     if (files[i].is_main) written.main.push_back(written.files[i]);

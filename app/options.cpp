@@ -50,15 +50,6 @@ Problem SceneOptions::read(const std::function<Frequency(const Problem&)>& frequ
   return warning_of(problem, std::move(warnings));
 }
 
-std::vector<std::filesystem::path> files_of(const Problem& problem) {
-  std::vector<std::filesystem::path> files{problem->source->file};
-  if (const Receptance* drive = problem->receptance()) files.emplace_back(drive->file);
-  for (const MeasuredStiffness& each : problem->measured) files.emplace_back(each.table->file);
-  if (problem->indenter && problem->indenter->profile)
-    files.emplace_back(problem->indenter->profile->file);
-  return files;
-}
-
 double ratio_of(const std::string& text, const char* option, const char* expected) {
   const bool percent = text.ends_with('%');
   const auto number = to_double(trimmed(text.substr(0, text.size() - (percent ? 1 : 0)), " "));

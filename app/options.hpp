@@ -29,9 +29,6 @@ struct SceneOptions {
   Settings split_settings() const;
 };
 
-/// The scene's file, and those of the tables that it names.
-std::vector<std::filesystem::path> files_of(const Problem& problem);
-
 /// "0.5" or "50%", of that option. Throws InputError, which says what was `expected`.
 double ratio_of(const std::string& text, const char* option, const char* expected);
 

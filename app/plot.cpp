@@ -18,6 +18,7 @@
 #include "figures/screen.hpp"
 #include "figures/svg.hpp"
 #include "options.hpp"
+#include "problem/input_files.hpp"
 #include "record/fields.hpp"
 #include "report/figure_files.hpp"
 #include "report/plots.hpp"
@@ -99,7 +100,7 @@ void plot(const PlotOptions& options) {
   const Problem problem =
       options.scene.read(options.shown == Shown::frequency ? SceneOptions::Frequency::varied
                                                            : SceneOptions::Frequency::of_the_scene);
-  refuse_input_as_output(out, files_of(problem));
+  refuse_input_as_output(out, input_files(problem));
   if (options.shown != Shown::frequency)
     for (const std::string& warning : unstated_error(problem)) warn(warning);
   const std::vector<Figure> figures = figures_of(options, problem);

@@ -20,6 +20,7 @@
 #include "base/rounded.hpp"
 #include "base/units.hpp"
 #include "maps/csv_map.hpp"
+#include "problem/input_files.hpp"
 #include "problem/variants.hpp"
 #include "record/fields.hpp"
 #include "streams.hpp"
@@ -75,7 +76,7 @@ void warn_of_folder(const SweepOptions& options, Sweep& sweep) {
 
 /// The scene, its tables, and lists of axes.
 void refuse_lost_inputs(const SweepOptions& options, const Problem& problem) {
-  std::vector<std::filesystem::path> read = files_of(problem);
+  std::vector<std::filesystem::path> read = input_files(problem);
   for (const std::string& axis : options.over)
     if (const auto list = list_file(axis)) read.emplace_back(*list);
   refuse_input_as_output(options.out, read);

@@ -2,12 +2,14 @@
 
 #include <fmt/core.h>
 
+#include "base/output_places.hpp"
 #include "emit/languages/language.hpp"
 #include "emit/pieces.hpp"
 #include "emit/words.hpp"
 #include "emit/written.hpp"
 #include "formula/algebra_lock.hpp"
 #include "formula/names.hpp"
+#include "problem/input_files.hpp"
 
 namespace vcrit::symbolic {
 
@@ -68,13 +70,15 @@ std::vector<CodeFile> code_files(const Derivation& derivation, const std::string
 }
 
 std::vector<std::filesystem::path> write_code(const std::vector<CodeFile>& files,
-                                              const std::filesystem::path& directory) {
+                                              const std::filesystem::path& directory,
+                                              const Problem& problem) {
   std::vector<NewFile> written;
   std::vector<std::filesystem::path> places;
   for (const CodeFile& file : files) {
     places.push_back(directory / file.name);
     written.push_back({places.back(), file.text});
   }
+  for (const auto& place : places) refuse_input_as_output(place, input_files(problem));
   write_generated(written);
   return places;
 }
@@ -83,7 +87,7 @@ std::vector<std::filesystem::path> generate(const Derivation& derivation,
                                             const std::filesystem::path& directory,
                                             const std::string& name,
                                             const GenerateOptions& options) {
-  return write_code(code_files(derivation, name, options), directory);
+  return write_code(code_files(derivation, name, options), directory, derivation.problem);
 }
 
 }  // namespace vcrit::symbolic

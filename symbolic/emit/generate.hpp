@@ -55,9 +55,12 @@ struct CodeFile {
 std::vector<CodeFile> code_files(const Derivation& derivation, const std::string& name,
                                  const GenerateOptions& options = {});
 
-/// Writes files to `directory`, all beside their places and then renamed. Returns their paths.
+/// Writes files made from the problem to `directory`, all beside their places and then renamed.
+/// Returns their paths. Throws InputError where one would take the place of what the problem was
+/// read from, or of a file of another hand; then nothing is written.
 std::vector<std::filesystem::path> write_code(const std::vector<CodeFile>& files,
-                                              const std::filesystem::path& directory);
+                                              const std::filesystem::path& directory,
+                                              const Problem& problem);
 
 /// Both: writes the evaluator's files. Returns them, the one to include or import first.
 std::vector<std::filesystem::path> generate(const Derivation& derivation,

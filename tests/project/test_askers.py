@@ -22,9 +22,8 @@ COMMENT = re.compile(r"//[^\n]*")
 ROOMS = ("src", "symbolic", "validation", "app", "python")
 BEFORE_THE_RULES = ("src/base/", "src/linear/", "src/network/", "src/record/", "src/scene/", "src/problem/", "src/stiffness/",
                     "src/modes/", "src/normal/", "src/rules/")
-# What moves, and the table of an indenter's profile, which is a file that was read.
-BUILD = {"src/indenter/half_space.cpp", "src/simulation/system/system.cpp", "src/maps/map_file.cpp", "app/options.cpp",
-         "python/scene.cpp"}
+# What moves.
+BUILD = {"src/indenter/half_space.cpp", "src/simulation/system/system.cpp", "src/maps/map_file.cpp", "python/scene.cpp"}
 # Derivations and their words: which symbols and lines there are.
 DERIVE = {"symbolic/analysis/half_space.cpp", "symbolic/analysis/separation.cpp", "symbolic/derivation/meanings.cpp",
           "symbolic/document/appendix.cpp", "symbolic/document/findings.cpp",

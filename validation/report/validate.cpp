@@ -4,11 +4,13 @@
 #include <thread>
 
 #include "accuracy/accuracy.hpp"
+#include "base/output_places.hpp"
 #include "compare/agreement.hpp"
 #include "compare/velocity_comparisons.hpp"
 #include "compare/without_formula.hpp"
 #include "figures/gnuplot.hpp"
 #include "paper/paper.hpp"
+#include "problem/input_files.hpp"
 #include "record/json_text.hpp"
 #include "report/figure_files.hpp"
 #include "report/index_page.hpp"
@@ -32,6 +34,10 @@ std::vector<Problem> read_all(const std::vector<std::string>& files) {
     problems.back().values();
   }
   return problems;
+}
+
+void refuse_lost_inputs(const std::filesystem::path& place, const std::vector<Problem>& problems) {
+  for (const Problem& problem : problems) refuse_input_as_output(place, input_files(problem));
 }
 
 /// What a worker hands over of its scene.
@@ -134,6 +140,11 @@ Validation validate(const Request& request, const Watch& watch) {
   const Origin origin{this_machine(), command(request.files)};
   const std::vector<std::string> names = page_names(request.files);
   const std::vector<SceneFiles> pages = page_files(names);
+  for (const SceneFiles& scene : pages)
+    for (const std::string& page : {scene.page, scene.evidence})
+      refuse_lost_inputs(request.directory / page, problems);
+  for (const char* const file : {"index.html", "report.json"})
+    refuse_lost_inputs(request.directory / file, problems);
   const std::vector<ordered_json> all = work_on(problems, request, pages, origin.machine, watch);
   Validation validation;
   std::vector<ordered_json> data;
@@ -145,6 +156,7 @@ Validation validate(const Request& request, const Watch& watch) {
   std::vector<NewFile> files = draw_figures(figure_files(all, names), request.figures, watch);
   files.push_back({request.directory / "report.json", report_json(origin, data)});
   add_pages(all, pages, origin, validation.page, files);
+  for (const NewFile& file : files) refuse_lost_inputs(file.place, problems);  // figures, too
   validation.write(files);
   return validation;
 }

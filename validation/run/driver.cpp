@@ -25,7 +25,7 @@ std::string generate_into(const symbolic::Derivation& derivation,
   try {
     std::vector<symbolic::CodeFile> files = symbolic::code_files(derivation, "scene");
     std::erase_if(files, [](const auto& file) { return !file.name.ends_with(".hpp"); });
-    symbolic::write_code(files, folder);
+    symbolic::write_code(files, folder, derivation.problem);
     return {};
   } catch (const ModelError& error) {
     return error.what();
