@@ -23,8 +23,9 @@ class HelpFormatter : public CLI::Formatter {
 
   // A group of options; the help flag that CLI11 gives it belongs to the command.
   std::string make_expanded(const CLI::App* group) const override {
-    std::string text = group->get_require_option_max() == 1 ? "\nExactly one of:\n"
-                                                            : "\n" + group->get_group() + ":\n";
+    std::string text = "\n" + group->get_group() + ":\n";
+    if (group->get_require_option_max() == 1)
+      text = group->get_require_option_min() == 1 ? "\nExactly one of:\n" : "\nAt most one of:\n";
     for (const CLI::Option* option : group->get_options())
       if (option != group->get_help_ptr()) text += make_option(option, false);
     return text;
