@@ -5,7 +5,7 @@ import json
 from cells import LOOKED_AT, REFERENCES, U, refusal, run, scene
 
 # The columns of commands by which `check` is tried.
-CHECKED = {"derive": "derive/shortest/text", "generate": "generate/c++", "simulate": "simulate/exact", "plot": "plot/friction",
+CHECKED = {"derive": "derive/shortest/text", "generate": "generate/c++", "simulate": "simulate/exact", "plot": "plot/speed",
            "sweep": "sweep/critical_velocity", "solve": "solve/amplitude"}
 # What is refused by the numbers of a scene, which the rulebook does not know: (kind, column) and status.
 BY_NUMBERS = {("antiresonance", "solve/amplitude"): "3", ("resonance", "solve/amplitude"): "3", ("resonance", "critical"): "3",

@@ -12,12 +12,12 @@ def plot(test, kind, column):
     picture, references = test.folder / f"{kind} {column.replace('/', ' ')}.svg", REFERENCES[kind]
     velocity = references.text("velocity:0") if "velocity:0" in references else "1e-3"
     of = column.split("/")[1]
-    how = {"friction": ("--to", 2 * float(velocity)), "cycle": ("--velocity", velocity)}.get(of, ())
+    how = {"speed": ("--to", 2 * float(velocity)), "cycle": ("--velocity", velocity)}.get(of, ())
     if not test.answered(kind, column, run("plot", scene(kind), "--of", of, *how, "--out", picture)):
         test.assertFalse(picture.exists())
         return
     lines = panels(picture.read_text())
-    if of == "friction":
+    if of == "speed":
         # Drawn to a tenth of a pixel of 320, with straight lines between 160 speeds.
         test.near(value_at(lines[0].lines[0], float(velocity)), references("friction_ratio:0"), 3e-3, of)
     elif of == "frequency":
