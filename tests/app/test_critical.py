@@ -33,6 +33,11 @@ class Verdicts(Case):
                 # The text is of the same numbers: of those with the fewest digits left.
                 self.assertNotIn("ABOVE", self.out("critical", scene))
 
+    # v* is finite there: the swing is large, and grows no more.
+    def test_near_resonance_no_swing_grows_without_bound(self):
+        found = self.answer("critical", self.body("kd", "kt", {"kt": 2, "kd": 4}, 1 - 1e-12))
+        self.assertIn("so near an undamped resonance", found["stick_onset_missing"])
+
     def test_status_3_where_doubles_have_no_digit(self):
         for mass in (1 - 2**-53, 1 + 2**-52):
             result, text = self.compared("kd", "kt", {"kt": 2, "kd": 4}, mass)

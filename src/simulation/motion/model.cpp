@@ -127,6 +127,14 @@ std::size_t setup_work(const System& system) {
   return 10 * branches * branches;
 }
 
+// Of a body without masses in its drive, and of that drive.
+std::complex<double> impedance(const Body& body, std::complex<double> s) {
+  std::complex<double> sum = s * body.mass + body.drive.direct;
+  for (Index j = 0; j < body.drive.rates.size(); ++j)
+    sum += body.drive.weights[j] / (body.drive.rates[j] + s);
+  return sum;
+}
+
 // How many of the rates, in increasing order, are below 1.
 template <class Rates>
 Index slow(const Rates& rates) {
@@ -137,10 +145,7 @@ Index slow(const Rates& rates) {
 
 std::complex<double> Body::mobility(std::complex<double> s) const {
   if (masses) return simulation::mobility(*masses, s);
-  std::complex<double> impedance = s * mass + drive.direct;
-  for (Index j = 0; j < drive.rates.size(); ++j)
-    impedance += drive.weights[j] / (drive.rates[j] + s);
-  return 1.0 / impedance;
+  return 1.0 / impedance(*this, s);
 }
 
 Model::Model(const System& system) : effort(effort_of_state, system.effort) {
@@ -304,14 +309,14 @@ void Model::set_sliding() {
   if (!body) return;
   if (body->masses) return set_sliding_of_masses();
   const PoleSum& drive = body->drive;
-  const std::complex<double> mobility = body->mobility(1i);
-  resonance = 1 + std::abs(mobility) / body->mobility(1).real();
+  const std::complex<double> opposed = impedance(*body, 1i);
+  resonance = impedance(*body, 1).real() / std::abs(opposed);
   if (!(resonance < infinity)) {
     resonance = infinity;
     sliding_velocity = infinity;
     return;
   }
-  const std::complex<double> velocity = -amplitude * mobility;
+  const std::complex<double> velocity = -amplitude / opposed;
   sliding_velocity += velocity;
   sliding_rates[0] = 1i * velocity;
   for (Index j = 0; j < drive.rates.size(); ++j)
@@ -324,7 +329,7 @@ void Model::set_sliding_of_masses() {
   const Masses& masses = *body->masses;
   const List<std::complex<double>> answer = response(masses.exact, 1i);
   const double at_rising_force = response(masses.exact, 1)[0].real();
-  resonance = 1 + std::abs(answer[0]) / at_rising_force;
+  resonance = std::abs(answer[0]) / at_rising_force;
   unlike = (1 + std::abs(masses.rates(0, 0))) * at_rising_force;
   if (!(resonance < infinity) || free_harmonic == 1) {
     resonance = infinity;

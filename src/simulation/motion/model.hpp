@@ -78,9 +78,9 @@ struct Model {
   List<std::complex<double>> sliding_rates;
   std::complex<double> sliding_velocity;
   double creep = 0;
-  /// 1 and how many times body and drive give way more at e^{it} than at e^t, where all their
-  /// forces have one sign and nothing cancels, however stiff a part is; infinite at an undamped
-  /// resonance of both. As many times rounding errors grow.
+  /// How many times body and drive give way more at e^{it} than at e^t, where all their forces have
+  /// one sign and nothing cancels, however stiff a part is; infinite at an undamped resonance of
+  /// both. As many times rounding errors grow.
   double resonance = 1;
   /// How many times a damper on the body of a drive with masses is stiffer at e^t than all of it:
   /// in doubles as many times the rounding of its force is felt.

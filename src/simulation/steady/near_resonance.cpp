@@ -35,8 +35,9 @@ const Event* same(const std::vector<Event>& events, const Event& event) {
 
 [[noreturn]] void differ_in_kind() {
   throw ModelError(
-      "body and drive are in undamped resonance, and drives a little softer or stiffer let the "
-      "contact stick and slip in other ways: the motion between them is lost in rounding");
+      "body and drive are in or very near undamped resonance, and drives a little softer or "
+      "stiffer let the contact stick and slip in other ways: the motion between them is lost in "
+      "rounding");
 }
 
 }  // namespace
@@ -56,8 +57,8 @@ double Neighbours::error(const std::array<double, 4>& f) const {
 
 void too_fast_for_neighbours() {
   throw ModelError(
-      "body and drive are in undamped resonance, and the drive is so fast that what little stick "
-      "is left is lost in rounding");
+      "body and drive are in or very near undamped resonance, and the drive is so fast that what "
+      "little stick is left is lost in rounding");
 }
 
 // The motion changes where v* comes down to the speed: with a stiffness off by the share e, v* is

@@ -34,7 +34,10 @@ void check_reach(const Model& model) {
   check_settles(model);
   if (lost_in_resonance(model))
     throw ModelError(
-        "body and drive are in undamped resonance: the swing in slip grows without bound");
+        model.resonance < infinity
+            ? "body and drive are so near an undamped resonance that their swing is lost in "
+              "rounding"
+            : "body and drive are in undamped resonance: the swing in slip grows without bound");
   if (!(model.unlike < most_unlike)) parts_too_different();
   // A contact that opens excites harmonics as well, even where the first harmonic moves nothing.
   const double swing =
