@@ -1,6 +1,7 @@
 #include "problem/input_files.hpp"
 
 #include "problem/problem.hpp"
+#include "scene/stiffness_data.hpp"
 
 namespace vcrit {
 
