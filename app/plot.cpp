@@ -118,7 +118,7 @@ void plot(const PlotOptions& options) {
   fmt::print("{}\n", out.string());
 }
 
-// A picture may be named by what is drawn over its axis, too, before the names are checked.
+// Another word for speed, and what is drawn over it, before the names are checked.
 std::string picture_over(std::string& name) {
   if (name == "friction" || name == "velocity") name = "speed";
   return {};

@@ -78,7 +78,8 @@ std::vector<std::filesystem::path> write_code(const std::vector<CodeFile>& files
     places.push_back(directory / file.name);
     written.push_back({places.back(), file.text});
   }
-  for (const auto& place : places) refuse_input_as_output(place, input_files(problem));
+  const std::vector<std::filesystem::path> read = input_files(problem);
+  for (const auto& place : places) refuse_input_as_output(place, read);
   write_generated(written);
   return places;
 }

@@ -140,23 +140,25 @@ Validation validate(const Request& request, const Watch& watch) {
   const Origin origin{this_machine(), command(request.files)};
   const std::vector<std::string> names = page_names(request.files);
   const std::vector<SceneFiles> pages = page_files(names);
+  Validation validation;
+  validation.page = request.directory / "index.html";
+  const std::filesystem::path data_file = request.directory / "report.json";
+  refuse_lost_inputs(validation.page, problems);
+  refuse_lost_inputs(data_file, problems);
   for (const SceneFiles& scene : pages)
     for (const std::string& page : {scene.page, scene.evidence})
       refuse_lost_inputs(request.directory / page, problems);
-  for (const char* const file : {"index.html", "report.json"})
-    refuse_lost_inputs(request.directory / file, problems);
   const std::vector<ordered_json> all = work_on(problems, request, pages, origin.machine, watch);
-  Validation validation;
   std::vector<ordered_json> data;
   for (const ordered_json& scene : all) {
     data.push_back(scene.at("data"));
     summarise(scene, validation);
   }
-  validation.page = request.directory / "index.html";
   std::vector<NewFile> files = draw_figures(figure_files(all, names), request.figures, watch);
-  files.push_back({request.directory / "report.json", report_json(origin, data)});
+  files.push_back({data_file, report_json(origin, data)});
   add_pages(all, pages, origin, validation.page, files);
-  for (const NewFile& file : files) refuse_lost_inputs(file.place, problems);  // figures, too
+  // Which figures there are is known only now.
+  for (const NewFile& file : files) refuse_lost_inputs(file.place, problems);
   validation.write(files);
   return validation;
 }
