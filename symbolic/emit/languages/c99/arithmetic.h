@@ -168,17 +168,24 @@ static inline double THE_entry(double at, int number) { return at < 0.0 ? NAN : 
 static inline int THE_is_left(double lo, double rest, double unit) { /* rounding up, hi is a unit larger */
   return lo == rest || lo == rest - unit;
 }
-static inline int THE_is_exact(void) {
-  static volatile int known = 0; /* 1 or -1, for each thread the same */
+static inline int THE_asked_is_exact(void) {
   const volatile double one = 1.0, small = 0x1p-60, odd = 0x1.fffffffffffffp0;
-  if (known == 0) {
-    const double a = one, b = small, c = odd;
-    const THE_dd sum = THE_dd_add(THE_dd_of(a), THE_dd_of(b)), product = THE_dd_mul(THE_dd_of(c), THE_dd_of(c));
-    known = THE_is_left(THE_dd_quick(a, b).lo, b, 0x1p-52) && THE_is_left(THE_dd_sum(b, a).lo, b, 0x1p-52) &&
-            THE_dd_add_d(sum, -a).hi == b && THE_is_left(fma(c, c, -(c * c)), 0x1p-104, 0x1p-51) &&
-            THE_is_left(product.lo, 0x1p-104, 0x1p-51) ? 1 : -1;
-  }
-  return known > 0;
+  const double a = one, b = small, c = odd;
+  const THE_dd sum = THE_dd_add(THE_dd_of(a), THE_dd_of(b)), product = THE_dd_mul(THE_dd_of(c), THE_dd_of(c));
+  return THE_is_left(THE_dd_quick(a, b).lo, b, 0x1p-52) && THE_is_left(THE_dd_sum(b, a).lo, b, 0x1p-52) &&
+         THE_dd_add_d(sum, -a).hi == b && THE_is_left(fma(c, c, -(c * c)), 0x1p-104, 0x1p-51) &&
+         THE_is_left(product.lo, 0x1p-104, 0x1p-51);
+}
+static inline int THE_is_exact(void) {
+  static volatile int known = 0; /* 1 or -1, for each thread the same; C99 itself has no atomic numbers */
+#ifdef __GNUC__
+  int answer = __atomic_load_n(&known, __ATOMIC_RELAXED);
+  if (answer == 0) __atomic_store_n(&known, answer = THE_asked_is_exact() ? 1 : -1, __ATOMIC_RELAXED);
+#else
+  int answer = known;
+  if (answer == 0) known = answer = THE_asked_is_exact() ? 1 : -1;
+#endif
+  return answer > 0;
 }
 typedef struct { THE_Certified certified; int safe; } THE_Result;
 /* v* = factor root(above/below). Factors (1 + e_j)^(+-1) with sum |e_j| = e < 2^-10 change it by less than 1.01 e, the

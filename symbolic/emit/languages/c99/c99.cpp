@@ -98,6 +98,11 @@ std::string c99_text(const Evaluator& evaluator, const std::string& name) {
 
 }  // namespace
 
-extern const Language c99{.name = "c99", .extension = ".h", .text = c99_text};
+// Macros, lower case or short, of headers that may come before or after: complex.h, math.h,
+// stdnoreturn.h.
+extern const Language c99{.name = "c99",
+                          .extension = ".h",
+                          .reserved = "I complex imaginary math_errhandling noreturn",
+                          .text = c99_text};
 
 }  // namespace vcrit::symbolic
