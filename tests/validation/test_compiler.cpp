@@ -49,11 +49,21 @@ BOOST_AUTO_TEST_CASE(the_time_limit_stops_the_program_and_its_children) {
   const PrivateFolder folder;
   // The child would write a file a second after the limit.
   const std::string child = "(sleep 1; touch " + (folder.path() / "late").string() + ") & wait";
-  const ProgramResult result = run_program({"/bin/sh", "-c", child}, folder.path(), 100ms);
+  const ProgramResult result = run_program({"/bin/sh", "-c", child}, folder.path(), 20ms);
   BOOST_TEST(result.timed_out);
   BOOST_TEST(!result.succeeded());
   run_program({"/bin/sleep", "1.3"}, folder.path(), 10s);
   BOOST_TEST(!fs::exists(folder.path() / "late"));
+}
+
+BOOST_AUTO_TEST_CASE(the_time_limit_is_of_processor_time) {
+  const PrivateFolder folder;
+  // As on a machine that is busy with others.
+  BOOST_TEST(run_program({"/bin/sleep", "0.3"}, folder.path(), 100ms).succeeded());
+  const std::string busy = "while :; do :; done";
+  BOOST_TEST(run_program({"/bin/sh", "-c", busy}, folder.path(), 1s).timed_out);
+  BOOST_TEST(
+      run_program({"/bin/sh", "-c", "sh -c '" + busy + "'; exit 1"}, folder.path(), 1s).timed_out);
 }
 
 BOOST_AUTO_TEST_CASE(what_a_program_leaves_running_is_stopped_with_it) {
@@ -73,9 +83,9 @@ BOOST_AUTO_TEST_CASE(temporary_files_of_a_program_are_in_its_folder) {
 BOOST_AUTO_TEST_CASE(a_program_has_limits_and_no_files_of_ours) {
   const PrivateFolder folder;
   // In units of 1024 bytes.
-  const ProgramResult limits =
-      run_program({"/bin/bash", "-c", "ulimit -v; ulimit -f; ulimit -c"}, folder.path(), 10s);
-  BOOST_TEST(limits.output == "4194304\n1048576\n0\n");
+  const ProgramResult limits = run_program(
+      {"/bin/bash", "-c", "ulimit -v; ulimit -f; ulimit -c; ulimit -t"}, folder.path(), 10s);
+  BOOST_TEST(limits.output == "4194304\n1048576\n0\n10\n");
   BOOST_TEST(run_program({"/bin/bash", "-c", "ulimit -v"}, folder.path(), 10s, 1 << 30).output ==
              "1048576\n");
   // Its three streams, and the folder that ls itself has open.

@@ -14,6 +14,7 @@
 #include <fstream>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include "run/cleaner.hpp"
 #include "run/system_failure.hpp"
@@ -25,6 +26,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds compile_limit{120};  // only a compiler that hangs takes so long
+// A program that waits for ever takes no processor time. On a machine that is busy with ten others
+// one that works is given time to end.
+constexpr int patience = 10;
 // What a report can show of it is far less.
 constexpr std::size_t most_output = 1 << 20;
 
@@ -68,9 +72,10 @@ bool set_streams(const Command& command) {
 /// In a process group of its own, so that a compiler's children can be stopped with it. Returns
 /// only when something went wrong, which errno tells.
 void become(const Command& command, char* const* arguments, char* const* environment,
-            std::optional<std::uint64_t> memory) {
+            std::chrono::seconds time, std::optional<std::uint64_t> memory) {
   setpgid(0, 0);
   Cleaner::get().watch(getpid());
+  limit_to(RLIMIT_CPU, static_cast<rlim_t>(time.count()));
   if (memory) limit_to(RLIMIT_AS, *memory);
   limit_to(RLIMIT_FSIZE, largest_written_file);
   limit_to(RLIMIT_CORE, 0);
@@ -79,7 +84,7 @@ void become(const Command& command, char* const* arguments, char* const* environ
     execve(arguments[0], arguments, environment);
 }
 
-pid_t start(Command command, std::optional<std::uint64_t> memory) {
+pid_t start(Command command, std::chrono::seconds time, std::optional<std::uint64_t> memory) {
   const std::vector<char*> arguments = pointers_to(command.arguments);
   const std::vector<char*> environment = pointers_to(command.environment);
   Cleaner::get();
@@ -87,7 +92,7 @@ pid_t start(Command command, std::optional<std::uint64_t> memory) {
   if (pipe2(ends, O_CLOEXEC) != 0) system_failure(errno, "pipe");
   const pid_t process = fork();
   if (process == 0) {
-    become(command, arguments.data(), environment.data(), memory);
+    become(command, arguments.data(), environment.data(), time, memory);
     const int error = errno;
     _exit(write(ends[1], &error, sizeof error) == sizeof error ? 127 : 126);
   }
@@ -113,15 +118,20 @@ bool has_ended(pid_t process) {
   return information.si_pid == process;
 }
 
-/// The exit status, after all that it had started is stopped. Its number belongs to nobody else
-/// before it is waited for.
-int end(pid_t process) {
+/// Its exit status, and the processor time that it and its children took, after all that it had
+/// started is stopped. Its number belongs to nobody else before it is waited for.
+std::pair<int, std::chrono::microseconds> end(pid_t process) {
   kill(-process, SIGKILL);
   Cleaner::get().forget(process);
   int status = 0;
-  while (waitpid(process, &status, 0) < 0)
-    if (errno != EINTR) system_failure(errno, "waitpid");
-  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  rusage used{};
+  while (wait4(process, &status, 0, &used) < 0)
+    if (errno != EINTR) system_failure(errno, "wait4");
+  const auto time = [](const timeval& of) {
+    return std::chrono::seconds(of.tv_sec) + std::chrono::microseconds(of.tv_usec);
+  };
+  return {WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status),
+          time(used.ru_utime) + time(used.ru_stime)};
 }
 
 std::string beginning_of(const std::filesystem::path& file) {
@@ -168,14 +178,18 @@ PrivateFolder::~PrivateFolder() {
 ProgramResult run_program(const std::vector<std::string>& arguments,
                           const std::filesystem::path& folder, std::chrono::milliseconds limit,
                           std::optional<std::uint64_t> memory) {
-  const pid_t process = start(Command(arguments, folder), memory);
-  const auto deadline = Clock::now() + limit;
+  const auto time = std::chrono::ceil<std::chrono::seconds>(limit);  // the system counts no finer
+  const pid_t process = start(Command(arguments, folder), time, memory);
+  const auto deadline = Clock::now() + patience * limit;
   ProgramResult result;
   while (!has_ended(process) && !result.timed_out) {
     result.timed_out = Clock::now() >= deadline;
     std::this_thread::sleep_for(std::chrono::milliseconds(result.timed_out ? 0 : 2));
   }
-  result.status = end(process);
+  const auto [status, used] = end(process);
+  result.status = status;
+  // What the system stops it by counts ticks: a few per cent more or less than it took.
+  result.timed_out |= status != 0 && used >= 0.9 * time;
   result.output = beginning_of(folder / output_name);
   return result;
 }

@@ -37,9 +37,10 @@ struct ProgramResult {
 inline constexpr std::uint64_t most_memory = 4ULL << 30, largest_written_file = 1ULL << 30;
 
 /// Runs `arguments` (the program's path first) as they stand, without input, in `folder`, where its
-/// output and its temporary files are kept meanwhile (both absolute). When it has ended, and when
-/// this process is killed, nothing that it started runs on. Throws std::system_error if it cannot
-/// be started.
+/// output and its temporary files are kept meanwhile (both absolute). It is stopped when it, or a
+/// process that it starts, has taken `limit` of processor time, or ten times that has passed: how
+/// busy the machine is decides nothing. When it has ended, and when this process is killed, nothing
+/// that it started runs on. Throws std::system_error if it cannot be started.
 ProgramResult run_program(const std::vector<std::string>& arguments,
                           const std::filesystem::path& folder, std::chrono::milliseconds limit,
                           std::optional<std::uint64_t> memory = most_memory);
