@@ -20,6 +20,7 @@
 #include "rules/kinds.hpp"
 #include "rules/rulebook.hpp"
 #include "simulation/steady/onset.hpp"
+#include "stiffness/relaxation.hpp"
 
 namespace vcrit::app {
 
@@ -32,6 +33,7 @@ double share_of(double part, double whole) { return part == 0 ? 0 : part / whole
 // (`simulated`), and the highest speed at which a motion that starts at rest still sticks.
 struct CriticalComparison {
   double formula, condition, simulated;
+  double unit = formula;          // what differences are shares of, m/s
   double sliding_from = formula;  // where the formula has a drive that swings freely slide already
   std::optional<double> stick_onset = {};
   std::string missing = {};     // why there is no stick onset
@@ -40,14 +42,10 @@ struct CriticalComparison {
   int cells = 0, answered = 0;  // below an indenter: asked for it, and those with a steady state
   std::vector<std::string> warnings = {};
 
-  double difference(double value) const {
-    return formula == value ? 0 : std::abs(value - formula) / formula;
-  }
+  double difference(double value) const { return apart(value, formula); }
   double tolerance() const { return motion_tolerance(condition) + of_fit; }
-  double stick_tolerance() const { return tolerance() + share_of(uncertainty, formula); }
-  double sliding_difference() const {
-    return sliding_from == simulated ? 0 : std::abs(simulated - sliding_from) / sliding_from;
-  }
+  double stick_tolerance() const { return tolerance() + share_of(uncertainty, unit); }
+  double sliding_difference() const { return apart(simulated, sliding_from); }
   bool agrees() const {
     return sliding_difference() <= tolerance() &&
            (!stick_onset || difference(*stick_onset) <= stick_tolerance());
@@ -68,6 +66,11 @@ struct CriticalComparison {
       });
     f.when(it.uncertainty > 0, "stick_onset_tolerance", it.stick_tolerance());
     f.when(!it.stick_onset, "stick_onset_missing", it.missing).some("warnings", it.warnings);
+  }
+
+ private:
+  double apart(double value, double from) const {
+    return value == from ? 0 : std::abs(value - from) / (from == 0 ? unit : from);
   }
 };
 
@@ -98,6 +101,13 @@ double condition_of(const Problem& problem, double formula) {
       "vcrit eval gives v* with all digits");
 }
 
+// v* of the contact alone, m/s. At an antiresonance the drive's swing takes all of it away: what
+// two ways to 0 leave in doubles is roundings of that.
+double velocity_of_contact(const simulation::System& system) {
+  return system.friction * std::abs(system.normal_force_amplitude) * system.omega /
+         std::abs(dynamic_stiffness(system.contact, system.omega));
+}
+
 // Sliding of all cells, and the last stick of any.
 CriticalComparison below_indenter(const Problem& problem) {
   const indenter::HalfSpace half_space(problem);
@@ -124,8 +134,14 @@ CriticalComparison of_one_contact(const Problem& problem) {
   CriticalComparison result{formula, condition,
                             simulation::sliding_threshold(system).contact_velocity};
   result.sliding_from = formula * sliding_share(free_harmonics(problem));
+  if (formula == 0) result.unit = velocity_of_contact(system);
   if (problem->receptance() != nullptr)
-    result.of_fit = share_of(realised_velocity(problem).difference, formula);
+    result.of_fit = share_of(realised_velocity(problem).difference, result.unit);
+  if (formula == 0 && result.unit > 0) {
+    result.missing =
+        "at an antiresonance sliding is steady at every speed, so no stick is the last";
+    return result;
+  }
   try {
     const simulation::Onset last = simulation::stick_onset(system);
     result.stick_onset = last.contact_velocity;

@@ -10,6 +10,7 @@
 #include <exception>
 #include <new>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -124,7 +125,10 @@ int run_command(int argc, char** argv, const AddCommands& add, bool json) {
       const InputError parts = in_parts(error, program, words.front());
       return complain({input_wrong, parts.what(), parts, parts.advice()}, json);
     }
-    program.exit(error);
+    // CLI11 would print to std::cout, which forgets why it failed.
+    std::ostringstream text;
+    program.exit(error, text, text);
+    fmt::print("{}", text.str());
   }
   finish_stdout();
   return status;

@@ -296,6 +296,11 @@ void refuse_what_cannot_be_fitted(const StiffnessTable& data) {
 // No measurement of a phase resolves less, as a part of |K|.
 constexpr double finest_phase = 1e-3;
 
+// With fewer degrees of freedom than these a wrong row passes for noise of all of them, and noise
+// is believed up to this part of |K|: four times that is a tenth.
+constexpr int degrees_that_tell = 10;
+constexpr double noise_of_few = 0.025;
+
 // The noise of all data but this row, which would hide behind its own misfit.
 double noise_beside(const StiffnessRow& row, const Fit& fit) {
   const std::complex<double> k = dynamic_stiffness(fit.series, row.omega);
@@ -303,7 +308,9 @@ double noise_beside(const StiffnessRow& row, const Fit& fit) {
   const int degrees = fit.degrees_of_freedom;
   const double others = std::max(0.0, fit.sum_of_squares - own);
   const double noise = degrees > 2 ? std::sqrt(others / (degrees - 2)) : *fit.noise;
-  return std::max(finest_phase, noise * widening(std::max(1, degrees - 2)));
+  const double widest = noise * widening(std::max(1, degrees - 2));
+  const double believed = degrees < degrees_that_tell ? std::min(widest, noise_of_few) : widest;
+  return std::max(finest_phase, believed);
 }
 
 // What is negative by more than the noise that the fit has found.
@@ -315,7 +322,7 @@ void refuse_below_noise(const StiffnessTable& data, const Fit& fit) {
       if (value < -errors_below_zero * noise * std::hypot(row.storage, row.loss))
         throw InputError({data.file, row.line}, fmt::format("{} = {}", name, rounded(value, "N/m")),
                          fmt::format("a {} stiffness of at least 0, or below it by no more than "
-                                     "the noise of these data, {:.2g} % of |K|",
+                                     "four times the noise of these data, {:.2g} % of |K|",
                                      name, 100 * noise));
     };
     refuse("storage", row.storage);

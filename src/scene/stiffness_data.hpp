@@ -27,8 +27,9 @@ struct StiffnessTable {
 constexpr std::size_t least_rows = 3;
 
 /// Noise makes small parts negative. They are fitted as they are, since without them the mean would
-/// be too large; but no more than this part of |K|, or so many of the errors given, is noise.
-constexpr double noise_below_zero = 0.1, errors_below_zero = 4;
+/// be too large; but no more than so many of the errors given is noise, or as many of the largest
+/// noise that a measurement may have, a tenth of |K|.
+constexpr double errors_below_zero = 4, noise_below_zero = errors_below_zero * 0.1;
 
 /// A flat circular punch on a half-space, which makes a stiffness of Young's modulus.
 struct Punch {

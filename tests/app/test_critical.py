@@ -44,6 +44,19 @@ class Verdicts(Case):
             self.assertEqual((result.returncode, text.returncode), (3, 3))
             self.assertIn("has no digit of v*", text.stderr)
 
+    # v* is 0 there by each way. What doubles leave is a rounding of the speeds that cancel: no failure, though any
+    # share of 0 would be infinite.
+    def test_an_exact_antiresonance_agrees(self):
+        for kn, kt, kd, mass in ((10, 12, 8, 5), (3, 2, 3, 1.25), (7, 0.75, 0.5, 0.3125)):
+            with self.subTest(kt=kt, kd=kd):
+                result, text = self.compared("kd", "kt", {"kn": kn, "kt": kt, "kd": kd}, mass)
+                self.assertEqual((result.returncode, text.returncode), (0, 0))
+                found = json.loads(result.stdout)
+                self.assertEqual((found["formula"], found["agree"]), (0, True))
+                self.assertLess(found["relative_difference"], 64 * 2**-53)  # 32 roundings of each compliance
+                self.assertIn("antiresonance", found["stick_onset_missing"])
+                self.assertNotIn("ABOVE", text.stdout)
+
     # Where nothing oscillates v* is 0 by each way. Of a measured drive they did not agree, within a tolerance of nan.
     def test_nothing_that_oscillates_agrees(self):
         for name in ("measured_drive", "zener", "sphere"):

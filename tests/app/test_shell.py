@@ -78,6 +78,40 @@ class Help(unittest.TestCase):
         self.assertTrue(run.stdout or written, "an example that shows nothing")
 
 
+class Documents(unittest.TestCase):
+    """What docs/commands.md says of options is what the helps say."""
+
+    text = (PROJECT / "docs/commands.md").read_text()
+    everywhere = {"--help", "--set", "--digits"}  # told of below the list, once for all commands
+
+    def documented(self, command):
+        lines = re.findall(rf"^    vcrit {command} (.*(?:\n {{8,}}.*)*)", self.text.split("| command |")[0], re.MULTILINE)
+        return "\n".join(lines)
+
+    def test_name_every_option_and_no_other(self):
+        for command in COMMANDS:
+            # Of an option with several names one is enough.
+            told = set(re.findall(r"--[\w-]+", self.documented(command)))
+            options = [{name for name in names if name.startswith("--")} for names in options_of(command)]
+            missing = [names for names in options if not names & (told | self.everywhere)]
+            self.assertEqual((missing, told - names_of(command)), ([], set()), command)
+
+    def test_list_the_values_of_the_helps(self):
+        seen = 0
+        for command in COMMANDS:
+            told = dict(re.findall(r"(--[\w-]+) ([a-z-]+(?:\|[a-z-]+)+)(?=[\]\s])", self.documented(command)))
+            for option, values in told.items():
+                self.assertEqual(values.split("|"), choices_of(command)[option], command)
+                seen += 1
+        self.assertGreaterEqual(seen, 4)  # form, start, over of plot, for
+
+    def test_say_which_commands_take_the_common_options(self):
+        few = re.search(r"All commands but (.*?) take `--set", self.text)[1]
+        self.assertEqual({c for c in COMMANDS if "--set" not in names_of(c)}, set(re.findall(r"`(\w+)`", few)))
+        digits = re.search(r"^(.*) show four digits.*--digits 17", self.text, re.MULTILINE)[1]
+        self.assertEqual({c for c in COMMANDS if "--digits" in names_of(c)}, set(re.findall(r"`(\w+)`", digits)))
+
+
 class Man(unittest.TestCase):
     @classmethod
     def setUpClass(cls):

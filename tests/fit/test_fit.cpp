@@ -263,6 +263,16 @@ BOOST_AUTO_TEST_CASE(noise_below_zero_is_fitted_and_more_is_refused) {
   BOOST_TEST(fit::fitted(data).branches.size() == 3U);
   data.rows[0].loss = -0.05 * data.rows[0].storage;
   BOOST_CHECK_THROW(fit::fitted(data), InputError);
+  // More than a tenth of |K| where the noise is: 5 %, and four of it are 20 %.
+  StiffnessTable noisy = measured(Truth{1e6, {{1e6, 1e-4}}}, 1, 1e6, 60, 0.05, 1);
+  noisy.rows[0].loss = -0.15 * noisy.rows[0].storage;
+  BOOST_TEST(fit::fitted(noisy).branches.size() == 1U);
+  noisy.rows[0].loss = -0.35 * noisy.rows[0].storage;
+  BOOST_CHECK_THROW(fit::fitted(noisy), InputError);
+  // Three rows tell nothing of so large a noise.
+  StiffnessTable few = measured(three, 1, 1e7, 3, 0, 1);
+  few.rows[1].loss = -0.2 * few.rows[1].storage;
+  BOOST_CHECK_THROW(fit::fitted(few), InputError);
   // The other sign of i: all losses negative.
   StiffnessTable conjugate = measured(Truth{1e6, {{5e4, 1e-2}}}, 10, 1000, 6, 0.001, 1);
   for (StiffnessRow& row : conjugate.rows) row.loss = -row.loss;

@@ -18,9 +18,8 @@ namespace {
 constexpr double lowest_speed = 1e-30, highest_speed = 1e30;
 
 constexpr const char* too_near_resonance =
-    "body and drive are so near a resonance that no cycle closes well enough to tell where the "
-    "last "
-    "stick ends";
+    "body and drive are so near a resonance or antiresonance that no cycle closes well enough to "
+    "tell where the last stick ends";
 
 bool sticks(const SteadyCycle& cycle) {
   const auto& parts = cycle.period.parts;
