@@ -114,6 +114,17 @@ BOOST_AUTO_TEST_CASE(libraries_have_names_that_cpp_allows) {
     BOOST_CHECK_THROW(check_library_name(bad), InputError);
 }
 
+BOOST_AUTO_TEST_CASE(elements_below_an_indenter_are_moduli) {
+  const auto text = [](const char* scene) {
+    return symbolic::emit_quantities(derive(read_scene(scene)), "pad", {{}, true});
+  };
+  const std::string below = text(VCRIT_SCENES "/sphere.toml");
+  for (const char* words : {"spring, Pa\n", "damper, Pa s\n", "/// K(i omega), Pa\n"})
+    BOOST_TEST(below.find(words) != std::string::npos, words);
+  BOOST_TEST(below.find("N/m") == std::string::npos);
+  BOOST_TEST(text(VCRIT_SCENES "/zener.toml").find("/// K(i omega), N/m\n") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(titles_cannot_break_out_of_their_comment) {
   const std::string hostile = "a\n#error b\r\\";
   const std::string text = comment(hostile);

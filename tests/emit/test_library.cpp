@@ -5,8 +5,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <set>
+
 #include "derivation/scenes.hpp"
 #include "emit/library.hpp"
+#include "emit/names.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_library)
 
@@ -15,7 +18,19 @@ using test::scene_of;
 
 namespace {
 
-// The body of 1e20 kg is so heavy that v* hardly depends on any element.
+/// With omega = 2 rad/s and m = 0.5 kg, so that k_d = m omega^2 may hold exactly.
+Scene swinging(double kd, double amplitude) {
+  return read_scene(VCRIT_SCENES "/elastic_drive.toml",
+                    {{"kn", "3"},
+                     {"kt", "1"},
+                     {"kd", fmt::format("{}", kd)},
+                     {"mass", "0.5"},
+                     {"omega", "2"},
+                     {"amplitude", fmt::format("{}", amplitude)}});
+}
+
+// The body of 1e20 kg is so heavy that v* hardly depends on any element. At resonance and
+// antiresonance v* has no derivatives, and where it is subnormal they have hardly any digits.
 std::vector<Scene> scenes() {
   return {read_scene(VCRIT_SCENES "/kelvin.toml"),
           read_scene(VCRIT_SCENES "/bridge.toml"),
@@ -23,7 +38,10 @@ std::vector<Scene> scenes() {
           scene_of("normal = \"k0 | (k1 - c1)\"\npoisson = \"nu\"", "kd | cd", "m"),
           read_scene(VCRIT_SCENES "/zener.toml", {{"mass", "1e20"}}),
           read_scene(VCRIT_SCENES "/sonotrode.toml"),
-          read_scene(VCRIT_SCENES "/measured_drive.toml")};
+          read_scene(VCRIT_SCENES "/measured_drive.toml"),
+          swinging(2, 0.1),
+          swinging(1, 0.1),
+          swinging(0.5, 1e-320)};
 }
 
 /// What ctest prints. In a build folder that may be there from another time.
@@ -44,30 +62,62 @@ std::string build_and_test(const test::PrivateFolder& folder,
 
 std::string name_of(std::size_t library) { return fmt::format("library_{}", library); }
 
-/// One program of so many libraries' own tests, each in a namespace of its own.
-std::string tests_together(std::size_t count) {
-  std::string headers = "#include <cstdio>\n", tests, calls;
-  for (std::size_t i = 0; i < count; ++i) {
-    headers += fmt::format("#include \"{}_batch.hpp\"\n", name_of(i));
-    tests += fmt::format("namespace test_{} {{\n#include \"test_{}.cpp\"\n}}\n", i, name_of(i));
-    calls += fmt::format("  if (test_{}::main() == 0) std::puts(\"{} passes\");\n", i, name_of(i));
+/// One program of the own tests of so many libraries.
+std::string tests_together(const std::vector<std::string>& names) {
+  std::string tests = "#include <cstdio>\n", calls;
+  for (const std::string& name : names) {
+    tests +=
+        fmt::format("#define main main_of_{0}\n#include \"test_{0}.cpp\"\n#undef main\n", name);
+    calls += fmt::format("  if (main_of_{0}() == 0) std::puts(\"{0} passes\");\n", name);
   }
-  return headers + tests + "int main() {\n" + calls + "}\n";
+  return tests + "int main() {\n" + calls + "}\n";
 }
 
 /// Compiles them by the command's words.
-void pass(const test::PrivateFolder& folder, std::size_t count, std::vector<std::string> command) {
+void pass(const test::PrivateFolder& folder, const std::vector<std::string>& names,
+          std::vector<std::string> command) {
   const std::string source = (folder.path() / "tests.cpp").string();
   const std::string program = (folder.path() / "program").string();
-  write_file(source, tests_together(count));
+  write_file(source, tests_together(names));
   command.insert(command.end(), test::strict_flags.begin(), test::strict_flags.end());
   command.insert(command.end(), {"-o", program, source});
   const test::Outcome built = test::run(command, folder.path());
   BOOST_REQUIRE_MESSAGE(built.status == 0, built.output);
   const test::Outcome outcome = test::run({program}, folder.path());
-  for (std::size_t i = 0; i < count; ++i)
-    BOOST_TEST(outcome.output.find(name_of(i) + " passes\n") != std::string::npos,
-               fmt::format("{} {}", name_of(i), fmt::join(command, " ")) << outcome.output);
+  for (const std::string& name : names)
+    BOOST_TEST(outcome.output.find(name + " passes\n") != std::string::npos,
+               fmt::format("{} {}", name, fmt::join(command, " ")) << outcome.output);
+}
+
+std::vector<std::string> names_of(std::size_t count) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < count; ++i) names.push_back(name_of(i));
+  return names;
+}
+
+/// All words of the headers that the own test of a library includes.
+std::set<std::string> words_of_headers(const std::string& headers, const std::string& compiler,
+                                       const test::PrivateFolder& folder) {
+  const std::string source = (folder.path() / "headers.cpp").string();
+  write_file(source, headers);
+  const test::Outcome read = test::run({compiler, "-std=c++20", "-E", "-P", source}, folder.path());
+  std::set<std::string> words;
+  std::string word;
+  for (const char c : read.output + " ")
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_')
+      word += c;
+    else
+      words.insert(std::exchange(word, {}));
+  return words;
+}
+
+bool is_refused(const std::string& name) {
+  try {
+    symbolic::check_library_name(name);
+    return false;
+  } catch (const InputError&) {
+    return true;
+  }
 }
 
 }  // namespace
@@ -79,7 +129,39 @@ BOOST_AUTO_TEST_CASE(its_own_test_passes) {
     symbolic::generate(symbolic::derive(all[i]), folder.path(), name_of(i));
   for (const std::string& compiler : test::compilers(folder))
     for (const char* level : {"-O0", "-O3"})
-      pass(folder, all.size(), {compiler, level, "-march=native"});
+      pass(folder, names_of(all.size()), {compiler, level, "-march=native"});
+}
+
+// Some are names of the generated code and of its test.
+BOOST_AUTO_TEST_CASE(its_own_test_passes_with_any_name) {
+  const test::PrivateFolder folder;
+  const std::vector<std::string> names{"Columns", "Gradient", "Varying", "check",
+                                       "expect",  "failures", "near",    "size"};
+  const symbolic::Derivation derivation = symbolic::derive(read_scene(VCRIT_SCENES "/kelvin.toml"));
+  for (const std::string& name : names) symbolic::generate(derivation, folder.path(), name);
+  pass(folder, names, {test::compilers(folder).front()});
+}
+
+// `index` and `rename` are functions of C, and no namespaces.
+BOOST_AUTO_TEST_CASE(names_that_headers_take_are_refused) {
+  const test::PrivateFolder folder;
+  const std::string headers =
+      "#include <array>\n#include <bit>\n#include <cmath>\n#include <cstdio>\n"
+      "#include <cstdlib>\n#include <cstring>\n#include <span>\n#include <type_traits>\n";
+  for (const std::string& compiler : test::compilers(folder)) {
+    std::string text = headers;
+    std::size_t count = 0;
+    for (const std::string& word : words_of_headers(headers, compiler, folder))
+      if (!is_refused(word)) text += fmt::format("namespace {} {{}}\n", word), ++count;
+    BOOST_TEST(count > 300u);
+    const std::string source = (folder.path() / "names.cpp").string();
+    write_file(source, text);
+    const test::Outcome compiled =
+        test::run({compiler, "-std=c++20", "-fsyntax-only", source}, folder.path());
+    BOOST_TEST(compiled.status == 0, compiled.output);
+  }
+  BOOST_TEST(is_refused("pad_batch"));
+  BOOST_TEST(is_refused("pad_quantities"));
 }
 
 BOOST_AUTO_TEST_CASE(all_files_of_all_languages_come_from_one_derivation) {
@@ -99,7 +181,7 @@ BOOST_AUTO_TEST_CASE(its_own_test_passes_with_fixed_parameters) {
   const test::PrivateFolder folder;
   for (std::size_t i = 0; i < choices.size(); ++i)
     symbolic::generate(derivation, folder.path(), name_of(i), {choices[i], true});
-  pass(folder, choices.size(), {test::compilers(folder).front()});
+  pass(folder, names_of(choices.size()), {test::compilers(folder).front()});
 }
 
 BOOST_AUTO_TEST_CASE(its_own_test_can_fail) {

@@ -22,15 +22,16 @@ namespace vcrit::symbolic {
 
 namespace {
 
-std::string unit_of(const Member& member) {
-  static const std::map<std::string, std::string> units{{"angular frequency", "rad/s"},
-                                                        {"amplitude", "m"},
-                                                        {"mean indentation", "m"},
-                                                        {"mean normal force", "N"},
-                                                        {"mass", "kg"},
-                                                        {"spring", "N/m"},
-                                                        {"damper", "N s/m"},
-                                                        {"relaxation time", "s"}};
+// Below an indenter elements are moduli and viscosities of a half-space.
+const char* stiffness_unit(const Problem& problem) { return problem->indenter ? "Pa" : "N/m"; }
+const char* damping_unit(const Problem& problem) { return problem->indenter ? "Pa s" : "N s/m"; }
+
+std::string unit_of(const Member& member, const Problem& problem) {
+  if (member.comment == "spring") return fmt::format(", {}", stiffness_unit(problem));
+  if (member.comment == "damper") return fmt::format(", {}", damping_unit(problem));
+  static const std::map<std::string, std::string> units{
+      {"angular frequency", "rad/s"}, {"amplitude", "m"}, {"mean indentation", "m"},
+      {"mean normal force", "N"},     {"mass", "kg"},     {"relaxation time", "s"}};
   const auto unit = units.find(member.comment);
   return unit == units.end() ? "" : ", " + unit->second;
 }
@@ -61,7 +62,7 @@ std::string declaration(const std::string& name, std::size_t length) {
   return (length == 0 ? "double " : fmt::format("std::array<double, {}> ", length)) + name;
 }
 
-const char* const structs = R"(/// K(i THE_OMEGA), N/m
+const char* const structs = R"(/// K(i THE_OMEGA), THE_UNIT
 struct Stiffness {
   double storage;  ///< Re K
   double loss;     ///< Im K
@@ -101,7 +102,7 @@ class Header {
     std::string out = banner() + fmt::format("#ifndef {0}\n#define {0}\n", guard);
     out += fmt::format("#include <array>\n#include <cmath>\n\n#include \"{}.hpp\"\n", name_);
     out += fmt::format("\nnamespace {} {{\n\n", name_) + parameter_struct() + "\n" +
-           parameters_.named(structs);
+           replaced(parameters_.named(structs), "THE_UNIT", stiffness_unit(problem_));
     if (quantities_.program.has(Node::Operation::less_inertia))
       out += "\n" + std::string(exact_less_inertia_text);
     out += stiffnesses() + oscillations() + admissible() + groups();
@@ -135,7 +136,7 @@ class Header {
     std::vector<std::pair<std::string, std::string>> members;
     for (const Member& member : parameters_.members())
       members.emplace_back(declaration(member.name, static_cast<std::size_t>(member.length)),
-                           member.comment + unit_of(member));
+                           member.comment + unit_of(member, problem_));
     return "struct QuantityParameters {\n" + member_lines(members) + "};\n";
   }
 
