@@ -183,10 +183,10 @@ class OtherNames(program.Case):
         self.run_on("generate", "--out", self.folder, "--name", name, *options)
 
     def check_own_tests(self, libraries):
-        """Compiled together, each in a namespace of its own, with the headers of quantities."""
+        """Compiled together, with the headers of quantities."""
         headers = "".join(f'#include "{name}_batch.hpp"\n#include "{name}_quantities.hpp"\n' for name in libraries)
-        tests = "".join(f'namespace of_{name} {{\n#include "test_{name}.cpp"\n}}\n' for name in libraries)
-        calls = "".join(f'  if (of_{name}::main() == 0) std::puts("{name}");\n' for name in libraries)
+        tests = "".join(f'#define main main_of_{name}\n#include "test_{name}.cpp"\n#undef main\n' for name in libraries)
+        calls = "".join(f'  if (main_of_{name}() == 0) std::puts("{name}");\n' for name in libraries)
         self.write(f"#include <cstdio>\n{headers}{tests}int main() {{\n{calls}}}\n", "tests.cpp")
         drivers.ran(["g++", "-std=c++20", "-O0", "-o", "a", "tests.cpp"], self.folder)
         self.assertEqual(drivers.ran(["./a"], self.folder).split(), libraries)
