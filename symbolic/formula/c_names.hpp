@@ -9,4 +9,7 @@ namespace vcrit::symbolic {
 /// code includes: math.h and what comes with C++'s headers.
 bool is_taken_in_c(std::string_view name);
 
+/// Whether other headers that C++'s bring along declare it: no namespace can be called so.
+bool is_declared_by_c(std::string_view name);
+
 }  // namespace vcrit::symbolic
