@@ -38,10 +38,12 @@ std::set<Symbol> element_symbols(const Network& network) {
   return found;
 }
 
-std::set<Symbol> contact_symbols(const Problem& problem) {
+/// Of all networks but the drive, the mount among them.
+std::set<Symbol> symbols_beside_drive(const Problem& problem) {
   std::set<Symbol> found = element_symbols(problem->normal.network());
   if (const auto* tangential = std::get_if<ReducedNetwork>(&problem->tangential))
     found.merge(element_symbols(tangential->network()));
+  if (problem->mount) found.merge(element_symbols(problem->mount->network()));
   return found;
 }
 
@@ -81,7 +83,7 @@ std::vector<ElementGroup> element_groups(const Problem& problem,
 ex drive_label(const Problem& problem) {
   const auto* element = std::get_if<Element>(&problem->drive_network()->network().form);
   const bool lone_spring = element != nullptr && is_elastic(*element) && is_plain(*element) &&
-                           !contact_symbols(problem).contains(element->coefficient.symbol());
+                           !symbols_beside_drive(problem).contains(element->coefficient.symbol());
   return lone_spring ? symbol(element->coefficient.symbol()) : quantity("K_d");
 }
 
@@ -135,15 +137,15 @@ class Collector {
     return shortest_in(names_, change, in_names, printed_operations);
   }
   // The drive grows fast enough to outrun its own dampers on their way to zero. Where it shares
-  // elements with the contact, values alone cannot make it rigid.
+  // elements with contact or mount, values alone cannot make it rigid.
   GrowthExponents rates(const Change& change) const {
     if (change.ratio) return {};
     GrowthExponents result = change.rates;
     if (change.massless) result[problem_->mass->symbol] = -1;
     if (!change.rigid) return result;
-    const std::set<Symbol> contact = contact_symbols(problem_);
+    const std::set<Symbol> others = symbols_beside_drive(problem_);
     for (const Symbol& symbol : element_symbols(problem_->drive_network()->network())) {
-      if (contact.contains(symbol)) return {};
+      if (others.contains(symbol)) return {};
       result[symbol] += 4;
     }
     return result;

@@ -62,13 +62,26 @@ ex with_powers(const ex& polynomial) {
   return whole;
 }
 
+/// With i as a letter: a spring with a loss factor has it, and polynomials have integer
+/// coefficients.
+struct ImaginaryUnitAsLetter : GiNaC::map_function {
+  const ex letter = quantity("i");
+
+  ex operator()(const ex& expression) override {
+    if (!GiNaC::is_a<GiNaC::numeric>(expression)) return expression.map(*this);
+    return expression.real_part() + letter * expression.imag_part();
+  }
+};
+
 /// The shorter of the expression and the same as one fraction.
 ex shorter_of(const ex& expression) {
   if (expression.nops() == 0) return expression;
   const std::size_t length = to_text(expression).size();
   if (length > longest_joined_text) return expression;
-  const LowestTerms fraction = lowest_terms(expression);
-  const ex whole = factored_polynomial(fraction.over) / with_powers(fraction.under);
+  ImaginaryUnitAsLetter with_letter;
+  const LowestTerms fraction = lowest_terms(with_letter(expression));
+  const ex joined = factored_polynomial(fraction.over) / with_powers(fraction.under);
+  const ex whole = joined.subs(with_letter.letter == GiNaC::I);
   return to_text(whole).size() < length ? whole : expression;
 }
 

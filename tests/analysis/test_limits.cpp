@@ -133,6 +133,20 @@ BOOST_AUTO_TEST_CASE(an_element_of_several_networks_goes_to_its_limit_in_all) {
              "mu0*omega*du_z*sqrt((k0^2*ks^2 + c^2*omega^2*(k0 + ks)^2)/(ks^2 + c^2*omega^2))/kt");
 }
 
+// One spring that is the drive and a part of the mount: it grows in both, or the drive alone does.
+BOOST_AUTO_TEST_CASE(a_spring_of_drive_and_mount_goes_to_its_limit_in_both) {
+  GiNaC::Digits = 200;
+  const Scene scene = scene_of("normal = \"kn\"\ntangential_ratio = \"r\"", "ks", "",
+                               "[mount]\nnetwork = \"ks | km\"\nmass = \"m_n\"\n");
+  test::ExactValues values = test::some_values(scene);
+  values.insert({{"m_n"}, GiNaC::numeric(5, 9)});
+  check_limits(scene, values);
+  const std::vector<Limit> all = limits(derive(scene));
+  BOOST_TEST(to_text(named(all, "ks -> infinity").result) == "mu0*omega*du_z/r");
+  BOOST_TEST(to_text(named(all, "K_d -> infinity").result) ==
+             "mu0*omega*du_z*(km + ks)/(r*abs(km + kn + ks - m_n*omega^2))");
+}
+
 BOOST_AUTO_TEST_CASE(a_drive_that_was_the_contact_network_can_grow_alone) {
   const Scene scene = scene_of("normal = \"k1 | c1\"\ntangential = \"k2\"", "k1 | c1");
   BOOST_TEST(to_text(named(limits(derive(scene)), "K_d -> infinity").result) ==

@@ -278,6 +278,20 @@ BOOST_AUTO_TEST_CASE(masses_of_the_drive) {
   check(Derived(scene), test::some_values(scene));
 }
 
+// Loss factors bring i into the chain rule: i is no coefficient of FLINT's polynomials.
+BOOST_AUTO_TEST_CASE(springs_with_loss_factors_in_formulas_that_stay_nested) {
+  GiNaC::Digits = 300;
+  for (const Scene& scene :
+       {scene_of("normal = \"prony(k0, k, tau, 12) | lossy(kl, eta)\"\npoisson = \"nu\"", "kd"),
+        scene_of("normal = \"prony(k0, k, tau, 12) - lossy(kl, eta)\"\ntangential = \"kt\"",
+                 "kd | c1 - lossy(kl, eta)", "m")}) {
+    const Derived derived(scene);
+    BOOST_TEST(!derived.full.definitions.empty());
+    check(derived, test::some_values(scene));
+    check_names(derived, test::some_values(scene));
+  }
+}
+
 // A measured R_d is a complex number that no parameter changes but omega, which is left out.
 BOOST_AUTO_TEST_CASE(measured_drives) {
   GiNaC::Digits = 300;
