@@ -15,8 +15,13 @@ std::string Dialect::print(const Signed& expression) const {
 
 std::string Dialect::printed(const Signed& expression, Position place) const {
   hear_interruption();
-  const std::string text = piece(expression.form, place).text;
+  const std::string text = behind_sign(expression, place);
   return expression.minus ? negative(text) : text;
+}
+
+std::string Dialect::behind_sign(const Signed& term, Position place) const {
+  const std::string text = piece(term.form, place).text;
+  return term.minus && term.form.kind == Form::Kind::sum ? wrapped(text) : text;
 }
 
 std::string Dialect::written(const Statement& statement) const {
@@ -45,7 +50,7 @@ std::string Dialect::terms(const std::vector<Signed>& terms, bool go_on) const {
   std::string text = go_on ? nothing() : print(terms.front());
   for (const Signed& term : terms)
     if (go_on || &term != &terms.front())
-      text = added(text, term.minus, piece(term.form, Position::free).text);
+      text = added(text, term.minus, behind_sign(term, Position::free));
   return text;
 }
 
@@ -112,8 +117,7 @@ PrintedPart Dialect::piece(const Form& form, Position place) const {
       std::string text;
       for (std::size_t i = 0; i < form.terms.size(); ++i) {
         const Signed& term = form.terms[i];
-        text =
-            i == 0 ? printed(term, place) : added(text, term.minus, piece(term.form, place).text);
+        text = i == 0 ? printed(term, place) : added(text, term.minus, behind_sign(term, place));
       }
       return {text, PrintedPart::Tightness::sum};
     }

@@ -79,6 +79,8 @@ class Dialect {
   enum class Position { free, in_fraction };
   PrintedPart piece(const Form& form, Position place) const;
   std::string printed(const Signed& expression, Position place) const;
+  /// The form; a sum that is taken away stands in parentheses.
+  std::string behind_sign(const Signed& term, Position place) const;
   PrintedPart quotient(const Form& form, Position place) const;
   std::vector<PrintedPart> pieces(const std::vector<Form>& forms, Position place) const;
 };

@@ -12,8 +12,7 @@ namespace vcrit::symbolic::shortest {
 
 namespace {
 
-// Characters of plain text.
-constexpr std::size_t longest_line = 90, least_part = 16;
+constexpr std::size_t longest_line = 90, least_part = 16;  // characters of plain text
 
 // Operations of a letter that has a line although it is used once.
 constexpr int least_named_once = 4;
@@ -348,11 +347,17 @@ Form Lines::written(Index i) const {
   return {Form::Kind::call, "abs", {}, {}, {{false, of(step.parts[0].step)}}, 1};
 }
 
+// A sum that has no line of its own, -(a - b), gives its terms.
 Form Lines::sum(const FormulaStep& step) const {
   Form form{Form::Kind::sum, "", {}, {}, {}, 1};
   std::vector<PlacedTerm> terms;
-  for (const StepPart& part : step.parts)
-    terms.push_back({parity_.is_square_of_odd(part.step), {part.sign < 0, of(part.step)}});
+  for (const StepPart& part : step.parts) {
+    const bool minus = part.sign < 0, imaginary = parity_.is_square_of_odd(part.step);
+    Form term = of(part.step);
+    if (term.kind != Form::Kind::sum) term.terms = {{false, Form(term)}};
+    for (Signed& each : term.terms)
+      terms.push_back({imaginary, {each.minus != minus, std::move(each.form)}});
+  }
   sort_stably(terms, before_in_sum);
   for (PlacedTerm& term : terms) form.terms.push_back(std::move(term.text));
   return form;

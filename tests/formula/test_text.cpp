@@ -42,6 +42,19 @@ BOOST_AUTO_TEST_CASE(a_fraction_holds_together) {
   BOOST_TEST(text({Form::Kind::product, "", {g, x}, {}, {}, 1}) == "17/14*x");
 }
 
+// a - (b - c) and -(b - c).
+BOOST_AUTO_TEST_CASE(a_sum_that_is_taken_away_stands_in_parentheses) {
+  const auto name = [](const char* text) { return Form{Form::Kind::name, text, {}, {}, {}, 1}; };
+  const Form inner{Form::Kind::sum, "", {}, {}, {{false, name("b")}, {true, name("c")}}, 1};
+  const Form behind{Form::Kind::sum, "", {}, {}, {{false, name("a")}, {true, inner}}, 1};
+  const Form lone{Form::Kind::sum, "", {}, {}, {{true, inner}}, 1};
+  const auto text = [](const Signed& form) { return text_dialect().print(form); };
+  BOOST_TEST(text({false, behind}) == "a - (b - c)");
+  BOOST_TEST(text({false, lone}) == "-(b - c)");
+  BOOST_TEST(text({true, inner}) == "-(b - c)");
+  BOOST_TEST(text_dialect().terms(behind.terms, true) == " + a - (b - c)");
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 }  // namespace vcrit::symbolic

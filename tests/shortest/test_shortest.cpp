@@ -197,6 +197,19 @@ BOOST_AUTO_TEST_CASE(storage_and_loss_read_as_people_write_them) {
   BOOST_TEST(drive.loss_factor.has_value());
 }
 
+// K_d' = -(G - Q4 R/S) was printed without its parentheses: what is printed has to have the value.
+BOOST_AUTO_TEST_CASE(a_difference_that_is_taken_away_reads_right) {
+  const Scene scene =
+      scene_of("normal = \"k1\"\ntangential_ratio = \"r\"", "net", "",
+               "[networks.net]\nterminals = [\"a\", \"b\"]\nedges = [[\"k3\", \"a\", \"x\"], "
+               "[\"c4\", \"a\", "
+               "\"y\"], [\"c4\", \"x\", \"y\"], [\"c5\", \"x\", \"b\"], [\"c6\", \"y\", \"b\"]]\n");
+  const ShortestForm form = find_storage_loss_form(scene).form.value();
+  check(scene, form);
+  const NamesOfScene names(scene);
+  BOOST_TEST(text_of(form).find("K_d' = Q4*R/S - G;") != std::string::npos, text_of(form));
+}
+
 // sigma = 1 + g kappa_d (1 - beta): by hand, 1 for the reference k0.
 BOOST_AUTO_TEST_CASE(groups_read_as_people_write_them) {
   const Scene scene = scene_of("normal = \"zener(k0, k1, c1)\"\npoisson = \"nu\"", "kd", "m");
