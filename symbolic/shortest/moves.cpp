@@ -116,9 +116,10 @@ class Alternatives {
     }
   }
 
-  /// Roots stay factors of the whole, and so does what leads it.
+  /// Roots and absolute values stay factors of the whole, and so does what leads it.
   bool stays_rational(ExNode factor) const {
-    return !all_.leads(factor) && all_[factor].kind != ExpressionKind::root;
+    const ExpressionKind kind = all_[factor].kind;
+    return !all_.leads(factor) && kind != ExpressionKind::root && kind != ExpressionKind::magnitude;
   }
 
   void of_product(const Items& factors) {
