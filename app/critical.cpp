@@ -38,12 +38,13 @@ struct CriticalComparison {
   std::optional<double> stick_onset = {};
   std::string missing = {};     // why there is no stick onset
   double uncertainty = 0;       // to either side of it: what rounding leaves open
+  double of_drive = 0;          // relative, of v*: what rounding takes of a drive with masses
   double of_fit = 0;            // relative, of v* by a structure fitted to a measured drive's table
   int cells = 0, answered = 0;  // below an indenter: asked for it, and those with a steady state
   std::vector<std::string> warnings = {};
 
   double difference(double value) const { return apart(value, formula); }
-  double tolerance() const { return motion_tolerance(condition) + of_fit; }
+  double tolerance() const { return motion_tolerance(condition) + of_drive + of_fit; }
   double stick_tolerance() const { return tolerance() + share_of(uncertainty, unit); }
   double sliding_difference() const { return apart(simulated, sliding_from); }
   bool agrees() const {
@@ -131,10 +132,11 @@ CriticalComparison of_one_contact(const Problem& problem) {
   const auto [formula, bound, reason] = certified_onset(problem);
   if (std::isinf(formula)) throw ModelError(reason + ": nothing to compare");
   const double condition = condition_of(problem, formula);
-  CriticalComparison result{formula, condition,
-                            simulation::sliding_threshold(system).contact_velocity};
+  const simulation::Onset threshold = simulation::sliding_threshold(system);
+  CriticalComparison result{formula, condition, threshold.contact_velocity};
   result.sliding_from = formula * sliding_share(free_harmonics(problem));
   if (formula == 0) result.unit = velocity_of_contact(system);
+  if (system.masses) result.of_drive = share_of(threshold.uncertainty, result.unit);
   if (problem->receptance() != nullptr)
     result.of_fit = share_of(realised_velocity(problem).difference, result.unit);
   if (formula == 0 && result.unit > 0) {

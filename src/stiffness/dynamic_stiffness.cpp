@@ -67,6 +67,24 @@ struct Pairs {
   }
 };
 
+/// K(s) where all parts are positive.
+struct OnRealAxis {
+  using Value = long double;
+  const Values& values;
+  long double s;
+
+  Value of(const Symbol& symbol) const { return value_of(values, symbol); }
+  static Value constant(const TypedNumber& number) { return number.value; }
+  static Value plus(Value a, Value b) { return a + b; }
+  static Value times(Value a, Value b) { return a * b; }
+  static Value over(Value a, Value b) { return a / b; }
+  Value times_s(Value k) const { return k * s; }
+  Value relaxing(Value k, Value tau) const { return k / (1 + 1 / (s * tau)); }
+  static Value parallel(Value a, Value b) { return a + b; }
+  static Value series(Value a, Value b) { return 1 / (1 / a + 1 / b); }
+  static Value mesh(Value a, Value b, Value total) { return a / total * b; }
+};
+
 /// A value and the change of it by errors up to here.
 struct Uncertain {
   ComplexDouble k;
@@ -136,6 +154,11 @@ std::complex<long double> wide_dynamic_stiffness(const Reduction& reduction, con
                                                  double omega) {
   Pairs<long double> pairs{values, omega};
   return evaluate(reduction, pairs);
+}
+
+long double stiffness_on_real_axis(const Reduction& reduction, const Values& values, double s) {
+  OnRealAxis algebra{values, s};
+  return evaluate(reduction, algebra);
 }
 
 double sensitivity(const Reduction& reduction, const Values& values, double omega) {

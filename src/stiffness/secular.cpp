@@ -11,6 +11,9 @@ namespace vcrit {
 
 namespace {
 
+// Of a pole, as a share of it.
+constexpr double very_near = 0x1p-10;
+
 // f and its derivatives at reference + d. The pole at the reference is left out of the sums and
 // kept apart, since w/d alone is large there.
 struct Near {
@@ -23,10 +26,28 @@ struct Near {
     return 0;
   }
   double rest(double d) const {
+    if (std::abs(d) <= very_near * reference) return rest_beside(d);
     double sum = f.slope * (reference + d) - f.constant;
     for (std::size_t j = 0; j < f.poles.size(); ++j)
       if (f.poles[j] != reference) sum += f.weights[j] / ((reference - f.poles[j]) + d);
     return sum;
+  }
+  // What is left at the reference, which nearly cancels, and the change from there, which does not:
+  // the roots to both sides of a pole of little weight, of two networks with nearly equal rates,
+  // then have one rounding error. With one each, their weights would lose its share of the gap.
+  double rest_beside(double d) const {
+    double sum = f.slope * reference - f.constant, change = f.slope * d;
+    for (std::size_t j = 0; j < f.poles.size(); ++j) {
+      if (f.poles[j] == reference) continue;
+      const double distance = reference - f.poles[j];
+      if (std::abs(d) <= 0.5 * std::abs(distance)) {
+        sum += f.weights[j] / distance;
+        change -= f.weights[j] / distance * (d / (distance + d));
+      } else {
+        change += f.weights[j] / (distance + d);
+      }
+    }
+    return sum + change;
   }
   double rest_slope(double d) const {
     double sum = f.slope;

@@ -197,6 +197,14 @@ BOOST_AUTO_TEST_CASE(storage_and_loss_read_as_people_write_them) {
   BOOST_TEST(drive.loss_factor.has_value());
 }
 
+// |Z| was multiplied into 1/k1 + 1/km, where no proof looks for an absolute value.
+BOOST_AUTO_TEST_CASE(absolute_values_stay_factors) {
+  const Scene scene = scene_of("normal = \"k1\"\ntangential = \"kt | ct\"", "kd", "m",
+                               "[mount]\nnetwork = \"km\"\n");
+  const ShortestForm form = find_storage_loss_form(scene).form.value();
+  BOOST_CHECK_NO_THROW(prove(form, *derive(scene).model));
+}
+
 // K_d' = -(G - Q4 R/S) was printed without its parentheses: what is printed has to have the value.
 BOOST_AUTO_TEST_CASE(a_difference_that_is_taken_away_reads_right) {
   const Scene scene =

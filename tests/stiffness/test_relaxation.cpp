@@ -104,6 +104,26 @@ BOOST_AUTO_TEST_CASE(random_graphs) {
 }
 
 // Ten branches behind one another, rates over 20 decades, as a chain of Kelvin elements.
+// Two networks of one shape in series, which have nearly equal rates: between two of these the path
+// has a branch that carries nearly nothing, a share g^2 of the others. The way back from there has
+// the compliances of both, 1/K, to a rounding and not to that over g.
+BOOST_AUTO_TEST_CASE(nearly_equal_networks_in_series) {
+  const Relaxation one{8e6, 0, {{4e6, 7.5e-6}}};
+  for (const double g : {0.0, 1e-15, 2e-15, 5e-15, 1e-14, 1e-13, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4}) {
+    const Relaxation other{16e6, 0, {{8e6, 7.5e-6 * (1 + g)}}};
+    const DualPoles path = dual(stiffness_poles(series({one, other})));
+    for (const double omega : {1e3, 1e5, 1e7}) {
+      std::complex<double> compliance{path.direct, -path.at_rest / omega};
+      for (std::size_t j = 0; j < path.weights.size(); ++j)
+        compliance += path.weights[j] / std::complex<double>{path.rates[j].value(), omega};
+      const std::complex<double> right =
+          1.0 / dynamic_stiffness(one, omega) + 1.0 / dynamic_stiffness(other, omega);
+      // Some ten roundings on each of the three ways.
+      BOOST_TEST(std::abs(compliance - right) <= 30 * 0x1p-53 * std::abs(right), "g = " << g);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(kelvin_chain_over_twenty_decades) {
   Values values;
   std::vector<Network> units;

@@ -8,6 +8,7 @@
 #include "answers/realised_friction.hpp"
 #include "base/constants.hpp"
 #include "base/free_swings.hpp"
+#include "base/rounded.hpp"
 #include "compare/border.hpp"
 #include "compare/formulas.hpp"
 #include "compare/frequency_response.hpp"
@@ -66,6 +67,11 @@ Comparison balanced(const SceneReport& report, const simulation::Onset& threshol
           ? fmt::format("doubles: 32 roundings of 2⁻⁵³, times the condition number {:.3g} here",
                         report.condition)
           : "doubles: leaves six digits to lose near resonance";
+  if (report.problem->has_masses() && threshold.uncertainty > 0) {
+    comparison.tolerance += threshold.uncertainty / threshold.contact_velocity;
+    comparison.reason += fmt::format("; and ±{}, what rounding takes of a drive with masses",
+                                     rounded(threshold.uncertainty, "m/s", 2));
+  }
   const std::vector<int>& free = report.free_harmonics;
   if (free.size() == 1)
     comparison.detail = fmt::format(

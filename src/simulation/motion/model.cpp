@@ -172,7 +172,7 @@ Model::Model(const System& system) : effort(effort_of_state, system.effort) {
   }
   if (system.masses) {
     Masses masses(system.masses->motion, system.omega, stiffness_unit);
-    merging = system.masses->rounding;
+    merging = threshold_error = system.masses->rounding;
     body = Body{masses.mass, {}, masses.fluidity, std::move(masses)};
     free_harmonic = simulation::free_harmonic(system);
   }
@@ -339,6 +339,9 @@ void Model::set_sliding_of_masses() {
   sliding_velocity -= amplitude / masses.mass * answer[0];
   for (Index i = 0; i < masses.states(); ++i)
     sliding_rates[i] = -1i * amplitude / masses.mass * answer[i];
+  // The contact's compliance is 1. A share of the drive's stiffness changes its compliance by the
+  // square of that.
+  threshold_error *= amplitude * (1 + at_rising_force / masses.mass) * resonance * resonance;
   creep += body->fluidity;
 }
 

@@ -92,6 +92,7 @@ struct Model {
   /// swing's part of it, down to cos(pi/(2 n)): a measure on the two instants +-pi/(2 n) gives no
   /// such swing a mean, and the free swing attains it. Masses may have several (free_swings.hpp).
   double threshold = 0;
+  double threshold_error = 0;  ///< what rounding takes of a drive with masses, an estimate
   List<FreeSwing, 1> free_swings;
   /// Share that modes of masses which merge may take of all answers, and by how much they let
   /// rounding errors grow, 1 where they are apart (general_modes.hpp).

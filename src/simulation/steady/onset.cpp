@@ -112,7 +112,7 @@ Onset sliding_threshold(const System& system) {
   return {lowest * model.velocity_unit,
           (lowest + model.creep) * model.velocity_unit,
           {},
-          model.bound_error() * std::abs(lowest) * model.velocity_unit};
+          (model.bound_error() * std::abs(lowest) + model.threshold_error) * model.velocity_unit};
 }
 
 Onset stick_onset(const System& given) {
@@ -143,7 +143,7 @@ Onset stick_onset(const System& given) {
   return {contact * model.velocity_unit,
           (contact + model.creep) * model.velocity_unit,
           {},
-          uncertainty * model.velocity_unit};
+          (uncertainty + model.threshold_error) * model.velocity_unit};
 }
 
 }  // namespace vcrit::simulation

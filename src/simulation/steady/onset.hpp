@@ -13,14 +13,14 @@ struct Onset {
   double contact_velocity = 0;  ///< mean velocity of the contact point there: the simulated v*, m/s
   double drive_velocity = 0;    ///< of the drive; larger only where a network on the path creeps
   std::string why_infinite = {};  ///< else empty
-  /// m/s, to either side: what rounding leaves open of a last stick, and does to v* of a contact
-  /// that opens, an estimate.
+  /// m/s, to either side: what rounding leaves open of a last stick, does to v* of a contact that
+  /// opens, and takes of a drive with masses, an estimate.
   double uncertainty = 0;
 };
 
-/// The lowest speed at which steady continuous sliding exists, from the minimum of the contact velocity.
-/// Of a contact that opens: at which it slips forward whenever it is closed; infinite where there
-/// is none (see forward_sliding.hpp). Throws ModelError where that is lost in rounding.
+/// The lowest speed at which steady continuous sliding exists, from the minimum of the contact
+/// velocity. Of a contact that opens: at which it slips forward whenever it is closed; infinite
+/// where there is none (see forward_sliding.hpp). Throws ModelError where that is lost in rounding.
 Onset sliding_threshold(const System& system);
 
 /// The highest speed at which the steady motion still sticks, from starts at rest. Takes some 60

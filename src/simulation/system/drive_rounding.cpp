@@ -19,10 +19,21 @@ void parts_too_different() {
       "leave the stiffest links out, which join masses to one, and the lightest masses");
 }
 
+namespace {
+
+double lead_stiffness(const Relaxation& form, double s) {
+  double sum = form.equilibrium + form.damper * s;
+  for (const MaxwellBranch& branch : form.branches)
+    sum += branch.stiffness / (1 + 1 / (s * branch.time));
+  return sum;
+}
+
+}  // namespace
+
 // All is asked at s = omega: on the positive real axis nothing resonates, so that a digit is lost
 // for no other reason.
 double drive_rounding(const DriveStructure& structure, const DriveMotion& motion,
-                      const Relaxation& contact, double omega) {
+                      const Relaxation& contact, double omega, std::optional<double> compliance) {
   constexpr double most = 1e-4;           // to first order: beyond it nothing tells what is lost
   constexpr double usual = 16 * epsilon;  // of the doubles here
   if (!(omega > 0)) return 0;
@@ -30,8 +41,11 @@ double drive_rounding(const DriveStructure& structure, const DriveMotion& motion
   const double receptance = static_cast<double>(right.value.real()),
                found = response(motion.rates, omega)[0].real() / omega / motion.mass,
                all = std::abs(receptance) + 1 / std::abs(dynamic_stiffness(contact, omega)),
-               share =
-                   std::max(static_cast<double>(right.error), std::abs(found - receptance)) / all;
+               lead = structure.lead ? 1 / lead_stiffness(*structure.lead, omega) : 0,
+               lost = compliance ? std::abs(lead + found - *compliance) : 0,
+               off =
+                   std::max({static_cast<double>(right.error), std::abs(found - receptance), lost}),
+               share = off / all;
   require_si_doubles(!std::isnan(share));
   if (share > most) parts_too_different();
   return share > usual ? share : 0;

@@ -144,11 +144,12 @@ std::string why_sticks_linger(const System& system) {
       n, free_harmonic(system) > 1 ? "" : ", within a part in 1e5,");
 }
 
-void hold_by(System& system, DriveStructure structure) {
+void hold_by(System& system, DriveStructure structure, std::optional<double> compliance) {
   check_structure(structure);
   if (structure.lead) system.contact = series({system.contact, *structure.lead});
   DriveMotion motion = drive_motion(structure);
-  const double rounding = drive_rounding(structure, motion, system.contact, system.omega);
+  const double rounding =
+      drive_rounding(structure, motion, system.contact, system.omega, compliance);
   system.drive.reset();
   system.mass.reset();
   system.masses = std::make_shared<DriveWithMasses>(
@@ -172,11 +173,15 @@ System system_of(const Problem& problem) {
   system.normal_force_amplitude =
       contact_amplitude(problem) * dynamic_stiffness(normal, system.omega);
   if (problem->has_masses()) {
+    const ReducedNetwork& drive = *problem->drive_network();
     const bool body = problem->mass.has_value();
-    DriveStructure structure = drive_structure(problem->drive_network()->network(), values,
-                                               body ? values.at(problem->mass->symbol) : 0,
-                                               body ? problem->mass->symbol : Symbol{});
-    within_number_range([&] { hold_by(system, std::move(structure)); });
+    const double mass = body ? values.at(problem->mass->symbol) : 0;
+    DriveStructure structure =
+        drive_structure(drive.network(), values, mass, body ? problem->mass->symbol : Symbol{});
+    const auto stiffness = stiffness_on_real_axis(drive.reduction(), values, system.omega) +
+                           static_cast<long double>(mass) * system.omega * system.omega;
+    within_number_range(
+        [&] { hold_by(system, std::move(structure), static_cast<double>(1 / stiffness)); });
   } else if (const ReducedNetwork* drive = problem->drive_network()) {
     system.drive = relaxation_form(drive->network(), values);
     if (problem->mass) system.mass = values.at(problem->mass->symbol);

@@ -73,10 +73,11 @@ std::string why_sticks_linger(const System& system);
 std::vector<int> undamped_harmonics(const System& system);
 
 /// Lets a drive with masses, the body among them, hold the contact in place of drive and mass of
-/// the system. Its lead, if it has one, is in series with the contact from then on. Throws
-/// InputError for a structure that is none, ModelError where nothing but masses leads to the far
-/// end.
-void hold_by(System& system, DriveStructure structure);
+/// the system. Its lead, if it has one, is in series with the contact from then on. compliance:
+/// 1/K(s) in m/N of body and drive at s = omega, of a network that the structure was made of.
+/// Throws InputError for a structure that is none, ModelError where nothing but masses leads to the
+/// far end, and where rounding hides what moves the body.
+void hold_by(System& system, DriveStructure structure, std::optional<double> compliance = {});
 
 /// Throws InputError for missing values, ModelError unless the normal network carries the mean
 /// load, the normal force stays positive or the contact may open, and forces and stiffnesses are
