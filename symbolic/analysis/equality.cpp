@@ -49,12 +49,20 @@ constexpr std::uint64_t points = 4;
 
 using Decimals = std::map<std::string, GiNaC::numeric>;
 
+/// The decimal as it was typed with a unit, which may have more digits than a double.
+GiNaC::numeric written_decimal(const Problem& problem, const Symbol& symbol, double value) {
+  const TypedNumber* const typed =
+      problem->typed == nullptr ? nullptr : problem->typed->find(symbol);
+  const bool holds = typed != nullptr && typed->value == value && !typed->decimal.empty();
+  return holds ? exact_decimal(typed->decimal) : exact_decimal(value);
+}
+
 /// The decimals of elements and mass; nothing if one is missing.
 std::optional<Decimals> decimals(const Problem& problem) {
   Decimals result;
   for (const auto& [symbol, value] : elements_with_values(problem)) {
     if (!value) return std::nullopt;
-    result[to_text(symbol)] = exact_decimal(*value);
+    result[to_text(symbol)] = written_decimal(problem, symbol, *value);
   }
   if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
       isotropic != nullptr && !isotropic->quantity.value)
@@ -62,7 +70,7 @@ std::optional<Decimals> decimals(const Problem& problem) {
   for (const auto& mass : {problem->mass, problem->mount_mass}) {
     if (!mass) continue;
     if (!mass->value) return std::nullopt;
-    result[to_text(mass->symbol)] = exact_decimal(*mass->value);
+    result[to_text(mass->symbol)] = written_decimal(problem, mass->symbol, *mass->value);
   }
   return result;
 }

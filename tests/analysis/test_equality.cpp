@@ -86,6 +86,14 @@ BOOST_AUTO_TEST_CASE(parallel_and_chain_form_of_one_rheology) {
   BOOST_TEST((equal.scope == Equality::Scope::values));
   BOOST_TEST((equal.evidence == Equality::Evidence::canonical_form));
 
+  // A number with a unit is compared with all digits that were typed.
+  BOOST_TEST(compare(given(parallel), given(chain("\"0.112 N.s/mm\""))).equal);
+  const Equality typed =
+      compare(given(parallel), given(chain("\"112.00000000000000000000000000001 N.s/m\"")));
+  BOOST_TEST(!typed.equal);
+  BOOST_REQUIRE(typed.counterexample.has_value());
+  BOOST_TEST(typed.counterexample->difference > 0);
+
   const Scene near = given(chain("112.000001"));
   const Equality different = compare(given(parallel), near);
   BOOST_TEST(!different.equal);
