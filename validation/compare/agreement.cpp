@@ -57,7 +57,8 @@ bool has_closed_form(const SceneReport& report, const simulation::System& system
 }
 
 // The same theory as Eq. 24, from the relaxation forms of the networks.
-Comparison balanced(const SceneReport& report, const simulation::Onset& threshold) {
+Comparison balanced(const SceneReport& report, const simulation::System& system,
+                    const simulation::Onset& threshold) {
   Comparison comparison = velocity_comparison(
       report, "balance", "harmonic balance, as Eq. 24, of the networks in relaxation form");
   comparison.found = threshold.contact_velocity;
@@ -67,7 +68,7 @@ Comparison balanced(const SceneReport& report, const simulation::Onset& threshol
           ? fmt::format("doubles: 32 roundings of 2⁻⁵³, times the condition number {:.3g} here",
                         report.condition)
           : "doubles: leaves six digits to lose near resonance";
-  if (report.problem->has_masses() && threshold.uncertainty > 0) {
+  if (system.masses && threshold.uncertainty > 0) {
     comparison.tolerance += threshold.uncertainty / threshold.contact_velocity;
     comparison.reason += fmt::format("; and ±{}, what rounding takes of a drive with masses",
                                      rounded(threshold.uncertainty, "m/s", 2));
@@ -213,7 +214,7 @@ void simulate(SceneReport& report, const symbolic::Derivation& derivation,
     if (by_formula(report)) {
       const simulation::Onset threshold = witnesses.balance(system);
       report.comparisons.push_back(is_measured(report) ? realised(report, threshold)
-                                                       : balanced(report, threshold));
+                                                       : balanced(report, system, threshold));
     }
     progress("looking for the last stick");
     compare_border(report, onset, system, evaluated, witnesses);
