@@ -72,6 +72,18 @@ class Pages(unittest.TestCase):
     def script(self, text, *arguments):
         return self.browser.execute_script(text, *arguments)
 
+    def test_sensitivities_are_those_of_derive(self):
+        report = json.loads((self.report / "report.json").read_text())
+        for scene in report["scenes"]:
+            if "influences" not in scene:
+                continue
+            printed = subprocess.run([PROGRAM, "derive", scene["file"], "--sensitivities"], cwd=PROJECT, check=True,
+                                     capture_output=True, text=True).stdout
+            listed = printed.split("per cent in v* for one per cent in the parameter:\n")[1].strip("\n").splitlines()
+            found = [each["name"] for each in scene["influences"]]
+            self.assertEqual(sorted(found), sorted(line.split()[0] for line in listed), scene["file"])
+            self.assertTrue("poisson" in found or scene["file"] == "scenes/burgers.toml", found)
+
     def load(self, page, width, draw):
         self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
             "width": width, "height": 800, "deviceScaleFactor": 1, "mobile": width < 600})
