@@ -19,7 +19,7 @@ from program import PROGRAM, PROJECT
 SCENES = ["zener", "prony", "kelvin_rigid"]
 OUTSIDE = ["inadmissible"]
 MORE = ["sphere", "bridge", "tribometer"]
-PHONE = 390  # pixels
+PHONE, NARROWEST = 390, 320  # pixels
 
 
 class Browser(unittest.TestCase):
@@ -131,6 +131,14 @@ class Browser(unittest.TestCase):
         lefts = self.run_script("return [...document.querySelectorAll('.explorer-parameters input[type=text]')].map("
                                 "(field) => Math.round(field.getBoundingClientRect().left))")
         self.assertLessEqual(len(set(lefts)), 1, "the fields stand in one column")
+
+    # Numbers of the answer stand side by side; a word wider than its half must not push the other out.
+    def test_the_narrowest_phone_shows_all_without_scrolling_sideways(self):
+        self.width(NARROWEST)
+        for name in [*SCENES, *MORE, "index"]:
+            with self.subTest(page=name):
+                self.open(name)
+                self.assertLessEqual(self.run_script("return document.documentElement.scrollWidth"), NARROWEST)
 
     # Loaded on a phone, and then shown on a desk.
     def test_a_phone_shows_all_without_scrolling_sideways_and_formulas_need_no_font_for_mathematics(self):
