@@ -98,7 +98,8 @@ const vcrit_curves = (() => {
     // A narrow line has no room for all words beside those of sticking.
     const what = width < 420 ? "force and its bound" : "friction force and its bound";
     const upper = plane(svg, { width, top: 28, bottom: 190, x: across, y: { from: least, to: most, title: `${what}, ${forces.unit}` }, words: false });
-    const values = points.map((p) => p[1] * speeds.factor), low = Math.min(0, ...values), high = Math.max(...values);
+    const values = points.map((p) => p[1] * speeds.factor), low = Math.min(0, ...values);
+    const high = Math.max(...values) || velocity * speeds.factor;  // it may stick all the time
     const lower = plane(svg, { width, top: 232, bottom: height - 42, x: across, y: { from: low - 0.05 * (high - low), to: high + 0.1 * (high - low), title: `contact speed, ${speeds.unit}` }, counts: [5, 3] });
     for (const [from, until] of sticking(events, points)) {
       for (const [top, bottom] of [[28, 190], [232, height - 42]])
