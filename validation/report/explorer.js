@@ -112,7 +112,7 @@ const vcrit_explorer = (() => {
     if (result.velocity === Infinity) result.messages.push(["unsure", "Vibration lowers friction at every speed (undamped resonance; any damping makes v* finite)."]);
     if (result.velocity === 0) result.messages.push(["unsure", "Vibration cannot lower friction here: the contact point stands still (antiresonance)."]);
     if (data.separation && amplitude > (result.closed ?? Infinity))
-      result.messages.push(["note", `The contact opens in every cycle${result.formula ? "" : "; v* is simulated, as the formula does not apply"}.`]);
+      result.messages.push(["note", `The contact opens in every cycle${result.velocity === null || result.formula ? "" : "; v* is simulated, as the formula does not apply"}.`]);
     result.to = reach(result.drive) ?? (result.velocity === Infinity ? reach(own?.answer?.drive ?? 0.01) : null);
     const probe = result.to === null ? null : simulator.friction_next(result.to);
     if (probe !== null && probe.status !== 0) result.messages.push(["note", `No friction curve: ${probe.message}.`]);
