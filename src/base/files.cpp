@@ -14,6 +14,7 @@
 
 #include "base/errors.hpp"
 #include "base/identifiers.hpp"
+#include "base/made_folders.hpp"
 #include "base/output_places.hpp"
 
 namespace vcrit {
@@ -51,9 +52,6 @@ class SignalsWait {
 class Part {
  public:
   explicit Part(fs::path place) : place_(std::move(place)) {
-    std::error_code error;
-    if (place_.has_parent_path()) fs::create_directories(place_.parent_path(), error);
-    if (error) refuse(place_, error);
     // A new file: neither what somebody has put there, nor where a link of theirs leads.
     constexpr int tries = 100;
     for (int i = 0; i < tries && file_ < 0; ++i) {
@@ -155,13 +153,22 @@ std::string read_file(const fs::path& file, std::size_t largest) {
 
 void write_files(const std::vector<NewFile>& files) {
   const SignalsWait wait;
+  MadeFolders folders;  // outlive the parts in them
   std::vector<Part> parts;
   for (const NewFile& file : files) {
     // What is in the way would be found by the renames, too late for the files before it.
     check_place(file.place);
+    if (const auto error = folders.make_above(file.place)) refuse(file.place, error);
     parts.emplace_back(file.place).fill(file.text);
   }
   for (Part& part : parts) part.put_into_place();
+}
+
+void check_folder(const fs::path& file) {
+  MadeFolders folders;
+  if (const auto error = folders.make_above(file)) refuse(file, error);
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) refuse(file);
 }
 
 void write_file(const fs::path& file, std::string_view text) {

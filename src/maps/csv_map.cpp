@@ -8,6 +8,7 @@
 #include <iterator>
 #include <system_error>
 
+#include "base/errors.hpp"
 #include "base/files.hpp"
 #include "base/joined.hpp"
 #include "base/numbers.hpp"
@@ -81,12 +82,17 @@ std::string CsvMap::sweep_of_part() const {
 void CsvMap::begin() {
   std::error_code error;
   fs::remove(sweep_file_, error);  // or what somebody has linked there would be written over
-  // Whole before the part is there: whatever has that name can be gone on with.
-  open(sweep_file_, std::ios::out);
-  append(sweep_of_part());
-  out_.close();
-  open(path_, std::ios::out);
-  append(csv_header(sweeping_.sweep()));
+  try {
+    // Whole before the part is there: whatever has that name can be gone on with.
+    open(sweep_file_, std::ios::out);
+    append(sweep_of_part());
+    out_.close();
+    open(path_, std::ios::out);
+    append(csv_header(sweeping_.sweep()));
+  } catch (const InputError&) {
+    discard();  // no row is there that a sweep could go on from
+    throw;
+  }
 }
 
 void CsvMap::go_on() {
@@ -131,17 +137,17 @@ void CsvMap::open(const fs::path& file, std::ios::openmode mode) {
   if (!out_) refuse_part(path_, errno != 0 ? std::strerror(errno) : "no file");
 }
 
-void CsvMap::append(const std::string& text) {
+void CsvMap::append(const std::string& text, const std::string& next_step) {
   errno = 0;
   out_ << text << std::flush;
-  if (!out_) refuse_part(path_, errno != 0 ? std::strerror(errno) : "a write error");
+  if (!out_) refuse_part(path_, errno != 0 ? std::strerror(errno) : "a write error", next_step);
 }
 
 void CsvMap::write(const BlockAnswer& answer, const std::string& prepared) {
   early_.emplace(answer.block, prepared);
   for (auto turn = early_.begin(); turn != early_.end() && turn->first == next_;
        turn = early_.erase(turn), ++next_)
-    append(turn->second);
+    append(turn->second, goes_on);
 }
 
 void CsvMap::finish() {

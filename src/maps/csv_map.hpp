@@ -26,7 +26,7 @@ class CsvMap : public MapFile {
   void begin();
   void go_on();
   void open(const std::filesystem::path& file, std::ios::openmode mode);
-  void append(const std::string& text);
+  void append(const std::string& text, const std::string& next_step = {});
 
   const Sweeping& sweeping_;
   PartFile part_;

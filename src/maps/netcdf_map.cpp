@@ -218,7 +218,7 @@ void NetcdfMap::write(const BlockAnswer& answer, const std::string&) try {
   const unsigned char one = 1;
   opened_->write(offsets_.back() + answer.block, &one, 1);
 } catch (const std::runtime_error& error) {
-  refuse_part(path_, error.what(), "`resume` goes on from here");
+  refuse_part(path_, error.what(), goes_on);
 }
 
 void NetcdfMap::finish() try {

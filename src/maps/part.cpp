@@ -36,6 +36,11 @@ const fs::path& without_link(const fs::path& part) {
   return part;
 }
 
+const fs::path& in_its_folder(const fs::path& part, MadeFolders& folders) {
+  if (const auto error = folders.make_above(part)) refuse_part(part, error.message());
+  return without_link(part);
+}
+
 // Before hours of work, not after.
 const fs::path& checked_place(const fs::path& file) {
   check_place(file);
@@ -51,15 +56,13 @@ void refuse_part(const fs::path& part, const std::string& found, const std::stri
 }
 
 PartFile::PartFile(const fs::path& file, bool resume)
-    : file_(checked_place(file)), path_(part_of(file)), lock_(without_link(path_)) {
+    : file_(checked_place(file)), path_(part_of(file)), lock_(in_its_folder(path_, folders_)) {
   if (is_there() && !resume)
     throw InputError({path_.string()}, "an unfinished sweep",
                      "`resume` to go on with it, or that you remove it");
 }
 
 PartFile::Lock::Lock(const fs::path& part) : file_(with_ending(part, ".lock")) {
-  std::error_code ignored;
-  if (part.has_parent_path()) fs::create_directories(part.parent_path(), ignored);
   while (true) {
     descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
     if (descriptor_ < 0) refuse_part(part, std::strerror(errno));

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <string>
 
+#include "base/made_folders.hpp"
+
 namespace vcrit::maps {
 
 /// OUT.part
@@ -13,6 +15,9 @@ std::filesystem::path part_of(const std::filesystem::path& file);
 /// What is wrong with the part, and what to do then: nothing more by default.
 [[noreturn]] void refuse_part(const std::filesystem::path& part, const std::string& found,
                               const std::string& next_step = {});
+
+/// The next step where what is written by then stays.
+inline constexpr const char* goes_on = "`resume` goes on from here";
 
 class PartFile {
  public:
@@ -42,6 +47,7 @@ class PartFile {
   };
 
   std::filesystem::path file_, path_;
+  MadeFolders folders_;
   Lock lock_;
 };
 

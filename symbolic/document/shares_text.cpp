@@ -12,11 +12,14 @@ namespace vcrit::symbolic {
 
 namespace {
 
-/// The numbers that v* may depend on.
+/// The numbers that v* may depend on. Two networks that are equal have a ratio of 1, which no scene
+/// has as a number.
 std::vector<Symbol> numbers_of(const Problem& problem) {
+  const auto& known = problem->source->settable;
   std::vector<Symbol> symbols;
   for (const Quantity& quantity : quantities(problem))
-    if (quantity.value) symbols.push_back(quantity.symbol);
+    if (quantity.value && known.contains(to_text(as_called(problem, quantity.symbol))))
+      symbols.push_back(quantity.symbol);
   for (const Symbol& symbol : *problem->elements) symbols.push_back(symbol);
   return symbols;
 }

@@ -19,7 +19,7 @@ from program import PROGRAM, PROJECT
 SCENES = ["zener", "prony", "kelvin_rigid"]
 OUTSIDE = ["inadmissible"]
 MORE = ["sphere", "bridge", "tribometer"]
-PHONE = 390  # pixels
+PHONE, NARROWEST = 390, 320  # pixels
 
 
 class Browser(unittest.TestCase):
@@ -131,6 +131,31 @@ class Browser(unittest.TestCase):
         lefts = self.run_script("return [...document.querySelectorAll('.explorer-parameters input[type=text]')].map("
                                 "(field) => Math.round(field.getBoundingClientRect().left))")
         self.assertLessEqual(len(set(lefts)), 1, "the fields stand in one column")
+
+    # Numbers of the answer stand side by side; a word wider than its half must not push the other out, nor a long name or path.
+    def test_the_narrowest_phone_shows_all_without_scrolling_sideways(self):
+        long = Path(self.folder.name, "a_folder_of_many_letters_in_one", "a_scene_of_many_letters_in_one.toml")
+        long.parent.mkdir()
+        # Beyond where its series was fitted: a warning that begins with the path.
+        text = Path(PROJECT, "tests/matrix/kinds/fitted_beyond.toml").read_text()
+        long.write_text(text)
+        for kind, page in [(["validate", long, "--out"], "long"), (["explore", long, "--out"], "long/explored.html")]:
+            subprocess.run([PROGRAM, *kind, self.report / page], env=os.environ | {"PATH": "/nowhere"}, check=True, capture_output=True)
+        self.width(NARROWEST)
+        for name in [*SCENES, *MORE, "index", "long/index", f"long/{long.stem}.evidence", "long/explored"]:
+            with self.subTest(page=name):
+                self.open(name)
+                self.assertLessEqual(self.run_script("return document.documentElement.scrollWidth"), NARROWEST)
+
+    # Its creep is slower than the speeds that the page begins with, so there is nothing but sticking to draw.
+    def test_a_contact_that_sticks_all_the_time_has_its_cycle(self):
+        subprocess.run([PROGRAM, "explore", "tests/matrix/kinds/fluid.toml", "--out", self.report / "fluid.html"], cwd=PROJECT,
+                       check=True, capture_output=True)
+        self.open("fluid", draw=False)
+        self.browser.execute_async_script("vcrit_explorer.ready.then(arguments[0])")
+        self.run_script("vcrit_explorer.set({ amplitude: '0.001' })")
+        self.assertIn("sticking", self.browser.find_element(By.ID, "explored-ratio").text)
+        self.assertEqual(self.browser.get_log("browser"), [])
 
     # Loaded on a phone, and then shown on a desk.
     def test_a_phone_shows_all_without_scrolling_sideways_and_formulas_need_no_font_for_mathematics(self):

@@ -22,6 +22,9 @@ from program import PROGRAM, PROJECT
 SCENES = ["zener", "inadmissible", "sonotrode", "burgers"]
 # With a mount, a drive and loss of contact: of all pages the one with most on it.
 FULL = "tests/matrix/kinds/separation_mount.toml"
+# v* has no digits to compare: the body of the first does not move, so that there is friction to simulate, and in the second,
+# next to a resonance, there is none.
+STILL, RINGING = (f"tests/matrix/kinds/{kind}.toml" for kind in ["drive_absorber", "near_resonance"])
 PHONE, DESK = 390, 1200  # pixels
 
 # Words that stand on a curve of a chart; how many words there are, and how many rules.
@@ -53,6 +56,7 @@ class Pages(unittest.TestCase):
         compiler.chmod(0o755)
         scenes = [f"scenes/{name}.toml" for name in SCENES]
         cls.validate([*scenes, FULL], cls.report, "/nowhere", 0)
+        cls.validate([STILL, RINGING], cls.report / "lost", "/nowhere", 0)
         cls.validate(["scenes/elastic.toml"], cls.report / "failed", f"{compiler.parent}:/usr/bin:/bin", 1)
         cls.browser = browser(Path(cls.folder.name, "profile"))
         cls.own_tab, cls.visited = cls.browser.current_window_handle, {}
@@ -71,6 +75,30 @@ class Pages(unittest.TestCase):
 
     def script(self, text, *arguments):
         return self.browser.execute_script(text, *arguments)
+
+    def test_a_chart_of_friction_has_its_curve_or_is_not_there(self):
+        report = json.loads((self.report / "lost/report.json").read_text())
+        curves = {scene["file"]: scene.get("friction_curve", []) for scene in report["scenes"]}
+        simulated = json.loads(subprocess.run([PROGRAM, "simulate", STILL, "--velocity-ratio", "0.5", "--json"], cwd=PROJECT,
+                                              check=True, capture_output=True, text=True).stdout)
+        half = min(curves[STILL], key=lambda point: abs(point["velocity_ratio"] - 0.5))
+        self.assertEqual(half["velocity_ratio"], 0.5)
+        self.assertAlmostEqual(half["friction_ratio"], simulated["friction_ratio"], delta=2e-9)
+        self.assertEqual(curves[RINGING], [])
+        pages = [(self.report / f"lost/{Path(scene).stem}.html").read_text() for scene in [STILL, RINGING]]
+        self.assertEqual(["friction_over_speed" in re.sub("(?s)<script>.*?</script>", "", page) for page in pages], [True, False])
+
+    def test_sensitivities_are_those_of_derive(self):
+        report = json.loads((self.report / "report.json").read_text())
+        for scene in report["scenes"]:
+            if "influences" not in scene:
+                continue
+            printed = subprocess.run([PROGRAM, "derive", scene["file"], "--sensitivities"], cwd=PROJECT, check=True,
+                                     capture_output=True, text=True).stdout
+            listed = printed.split("per cent in v* for one per cent in the parameter:\n")[1].strip("\n").splitlines()
+            found = [each["name"] for each in scene["influences"]]
+            self.assertEqual(sorted(found), sorted(line.split()[0] for line in listed), scene["file"])
+            self.assertTrue("poisson" in found or scene["file"] == "scenes/burgers.toml", found)
 
     def load(self, page, width, draw):
         self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {

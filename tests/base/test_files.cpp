@@ -57,6 +57,23 @@ BOOST_FIXTURE_TEST_CASE(a_place_that_cannot_be_written_is_named_and_left_clean, 
   BOOST_CHECK_THROW(write_file(path / "file" / "below", "text"), InputError);
 }
 
+BOOST_FIXTURE_TEST_CASE(folders_made_for_what_cannot_be_written_are_gone, Folder) {
+  fs::create_directories(path / "taken" / "inside");
+  BOOST_CHECK_THROW(write_files({{path / "new" / "deep" / "one", "1"},
+                                 {path / "new" / "other" / "two", "2"},
+                                 {path / "taken", "3"}}),
+                    InputError);
+  BOOST_TEST(std::distance(fs::directory_iterator(path), {}) == 1);
+  // One that was there before stays, and one that somebody else has put something into.
+  BOOST_CHECK_THROW(write_files({{path / "taken" / "one", "1"}, {path / "taken", "3"}}),
+                    InputError);
+  BOOST_TEST(fs::exists(path / "taken" / "inside"));
+  write_file(path / "new" / "." / "deep" / ".." / "deep" / "one", "1");
+  BOOST_TEST(read_file(path / "new" / "deep" / "one") == "1");
+  BOOST_TEST(test::has(test::refusal([&] { write_file(path / "new" / "deep" / "one" / "x", "1"); }),
+                       "found Not a directory"));
+}
+
 BOOST_FIXTURE_TEST_CASE(either_all_files_of_a_set_are_new_or_none, Folder) {
   write_file(path / "a", "old");
   // The last one cannot be written: a file is where its folder should be, or a folder where it

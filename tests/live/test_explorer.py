@@ -23,6 +23,15 @@ MOVING = ["zener", "prony", "kelvin_rigid", "separation", "burgers", "elastic_dr
           "sonotrode", "tribometer", "mount"]
 STILL = {"measured_drive": "cannot simulate a measured drive", "bridge": "a network with a bridge"}
 SETTINGS = 200
+# k_d = 0.63 N/um = 0.7 g omega^2, and k_t + k_d = 0.9 N/um = 1 g omega^2
+RESONANT = """
+contact = { normal = "kn", tangential = "kt" }
+drive.network = "kd"
+body.mass = "0.7 g"
+oscillation = { angular_frequency = 3e4, amplitude = "0.1 um", indentation = "1 um" }
+friction.coefficient = 0.3
+elements = { kn = "0.5 N/um", kt = "0.27 N/um", kd = "0.63 N/um" }
+"""
 
 ROWS = """return vcrit_explorer.rows.map(({ name, unit, exponent, own, array, linear, values }) =>
     ({ name, unit, exponent, own, array, linear, values }))"""
@@ -50,6 +59,12 @@ class Explorer(unittest.TestCase):
     @classmethod
     def page(cls, name):
         return Path(cls.folder.name, f"{name}.html")
+
+    def explore(self, name, text):
+        scene = Path(self.folder.name, f"{name}.toml")
+        scene.write_text(text)
+        self.assertEqual(run("explore", scene, "--out", self.page(name)).returncode, 0)
+        return str(scene)
 
     def run_script(self, text, *arguments):
         return self.browser.execute_script(text, *arguments)
@@ -195,13 +210,15 @@ class Explorer(unittest.TestCase):
         self.assertEqual(self.answer()["velocity"], own["velocity"])
 
     def test_the_command_gives_the_same(self):
-        for name in ["zener", "prony"]:
+        # Equal networks are isotropic, with no ratio that could be set.
+        equal = self.explore("equal", RESONANT.replace('"kt"', '"kn"').replace('kt = "0.27 N/um", ', ""))
+        for name, file in [("zener", "scenes/zener.toml"), ("prony", "scenes/prony.toml"), ("equal", equal)]:
             self.open(name)
             velocity = self.run_script("""const { rows } = vcrit_explorer;
                 vcrit_explorer.set(Object.fromEntries(rows.map(({ name, own }) => [name, String(0.9 * Number(own))])));
                 return vcrit_explorer.answer.velocity""")
             words = shlex.split(self.browser.find_element(By.ID, "explored-command").text)
-            self.assertEqual(words[:3], ["vcrit", "eval", f"scenes/{name}.toml"])
+            self.assertEqual(words[:3], ["vcrit", "eval", file])
             evaluated = json.loads(run(*words[1:], "--json").stdout)["critical_velocity"]
             self.assertLessEqual(abs(velocity - evaluated), 1e-12 * evaluated)
 
@@ -238,6 +255,74 @@ class Explorer(unittest.TestCase):
         self.assertIn("write a decimal point", self.messages()[0])
         self.assertEqual(self.messages()[1:], told)
         self.assertEqual(self.element("field", "k0").get_attribute("aria-invalid"), "true")
+
+    # k_d = m omega^2, then k_t + k_d = m omega^2, in numbers as typed, of which doubles hold neither.
+    def test_an_exact_resonance_is_one_and_so_is_an_antiresonance(self):
+        scene = self.explore("resonance", RESONANT)
+        self.open("resonance")
+        self.assertEqual(json.loads(run("eval", scene, "--json").stdout)["critical_velocity"], "inf")
+        velocity = self.browser.find_element(By.ID, "explored-velocity")
+        self.assertEqual(velocity.text, "∞")
+        self.assertIn("at every speed (undamped resonance", self.messages()[0])
+        self.type("mass", "900")  # mg
+        self.assertEqual(velocity.text, "833.3 µm/s")  # 0.9e-3 m/s, times 0.5/0.27, times 0.09/0.18
+        self.type("mass", "1000")
+        self.assertEqual(json.loads(run("eval", scene, "--json", "--set", "mass=1 g").stdout)["critical_velocity"], 0)
+        self.assertEqual(velocity.text, "0 m/s")
+        self.assertIn("(antiresonance)", self.messages()[0])
+
+    def test_whoever_hears_the_page_can_tell_the_controls_apart(self):
+        for name in ["zener", "prony", "mount"]:
+            self.open(name)
+            self.run_script("for (const { back } of vcrit_explorer.rows) back.hidden = false")
+            for kind in ["input[type=text]", "input[type=range]", "button"]:
+                controls = self.browser.find_elements(By.CSS_SELECTOR, f".explorer-parameters {kind}")
+                said = [control.accessible_name for control in controls]
+                self.assertEqual(len(set(said) - {""}), len(said), said)
+        self.open("zener")
+        self.assertEqual(self.element("field", "k0").accessible_name, "spring k0, N/µm")
+
+    def paste(self, field, text):
+        self.after(lambda: self.run_script("""arguments[0].focus();
+            arguments[0].value = arguments[1];
+            arguments[0].dispatchEvent(new Event('input'))""", field, text))
+
+    def test_what_is_no_number_of_the_scene_is_said(self):
+        self.open("zener")
+        own = self.answer()["velocity"]
+        above, within = "no number above 0", "outside the range from −1 to 0.5"
+        for name, text, words in [("frequency", "1e999", "beyond the range"), ("k0", "1e-999", "beyond the range"), ("mass", "0", above),
+                                  ("k1", "", above), ("amplitude", "NaN", above), ("poisson", "-1", within), ("poisson", ".7", within)]:
+            with self.subTest(name=name, text=text):
+                self.paste(self.element("field", name), text)
+                self.assertEqual(self.answer()["velocity"], own)
+                self.assertEqual(len(self.messages()), 1)
+                self.assertRegex(self.messages()[0], f'({name}|ratio): "{text}" is .*{words}.* The last one stays.')
+                self.paste(self.element("field", name), self.rows[self.names.index(name)]["own"])
+        self.assertEqual(self.messages(), [])
+
+    def test_a_number_that_doubles_do_not_reach_has_its_reason(self):
+        self.open("zener")
+        self.run_script("vcrit_explorer.set({ frequency: '1e300' })")
+        self.assertEqual(self.browser.find_element(By.ID, "explored-velocity").text, "unknown")
+        self.assertIn("No v*: doubles have no digit of v* here", self.messages()[0])
+        self.run_script("vcrit_explorer.set({ coefficient: '1e-300' })")  # own curve: 300 decades away
+        self.assertEqual(self.browser.get_log("browser"), [])
+
+    def test_poissons_ratio_may_be_0_or_as_of_auxetic_materials_negative(self):
+        for text in ["-0.25", "0"]:
+            self.open("zener", f"#poisson={text}")
+            evaluated = json.loads(run("eval", "scenes/zener.toml", "--json", "--set", f"poisson={text}").stdout)
+            for _ in ["by its address", "typed"]:
+                self.assertLessEqual(abs(self.answer()["velocity"] / evaluated["critical_velocity"] - 1), 1e-12)
+                self.type("poisson", text)
+
+    def test_the_sliding_speed_is_read_as_all_numbers_are(self):
+        self.open("zener")
+        field, words = (self.browser.find_element(By.ID, f"explored-{each}") for each in ["speed", "ratio"])
+        found = {self.paste(field, text) or words.text for text in ["2", "0.2e1", ",5"]}
+        self.assertEqual(len(found), 1, found)
+        self.assertEqual(self.messages(), ['sliding speed: ",5" is no number above 0; write a decimal point. The last one stays.'])
 
     def test_the_keyboard(self):
         self.open("zener")

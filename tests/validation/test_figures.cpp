@@ -2,10 +2,12 @@
 #include "figures/figure.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 
 #include "base/files.hpp"
@@ -116,6 +118,32 @@ BOOST_AUTO_TEST_CASE(a_still_is_the_figure_without_its_title) {
   BOOST_TEST(picture.find(">Friction over speed</text>") == picture.npos);
   BOOST_TEST(svg({figure}).find(">Friction over speed</text>") != picture.npos);
   BOOST_TEST(picture.find("stroke=\"#123f6d\"") != picture.npos);
+}
+
+// Where rules stand close words go across one of them, but not onto each other.
+BOOST_AUTO_TEST_CASE(words_of_rules_stand_on_no_other_words) {
+  Figure figure;
+  figure.name = "close";
+  figure.x = {"frequency", false, std::pair{0.0, 1.0}, {}};
+  figure.y = {"v*", false, std::pair{0.0, 1.0}, {}};
+  figure.rules = {{0.50, "this scene", false},
+                  {0.44, "antiresonance", false},
+                  {0.38, "resonance", false},
+                  {0.41, "antiresonance", false}};
+  const std::string picture = svg({figure});
+  const std::regex words(
+      "<text x=\"([0-9.]+)\" y=\"([0-9.]+)\">(this scene|(anti)?resonance)</text>");
+  std::vector<std::array<double, 3>> found;  // x, y, length
+  for (std::sregex_iterator each(picture.begin(), picture.end(), words), end; each != end; ++each)
+    found.push_back({std::stod((*each)[1]), std::stod((*each)[2]),
+                     7.0 * static_cast<double>((*each)[3].length())});
+  BOOST_REQUIRE(found.size() == 4u);
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const bool beside =
+          found[i][0] + found[i][2] <= found[j][0] || found[j][0] + found[j][2] <= found[i][0];
+      BOOST_TEST((beside || std::abs(found[i][1] - found[j][1]) >= 16));
+    }
 }
 
 // 0.5 of y are 1 N; a figure without such an axis has nothing of it.

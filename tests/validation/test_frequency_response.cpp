@@ -4,9 +4,14 @@
 #include "derivation/derivation.hpp"
 #include "scene/scene.hpp"
 
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "base/files.hpp"
+#include "support/program.hpp"
 #include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_frequency_response)
@@ -50,6 +55,37 @@ BOOST_AUTO_TEST_CASE(resonance_and_antiresonance_are_where_the_masses_swing) {
   BOOST_TEST(std::abs(response.marks[0].omega / 2e4 - 1) < 1e-5);
   BOOST_TEST(!response.marks[1].resonance);
   BOOST_TEST(std::abs(response.marks[1].omega / std::sqrt(1e7 / 5e-3) - 1) < 1e-5);
+}
+
+// Rows lie 1 % apart, steps of an even grid 5 %. A rigid massless drive's v* times |1 + k_t R|:
+// twice it at one row, a tenth at another, and else what noise of 1 % makes of it.
+BOOST_AUTO_TEST_CASE(a_measured_drive_shows_each_of_its_rows) {
+  const auto at = [](int row) { return 1e5 * std::pow(1.01, row); };
+  std::string rows = "omega,Re,Im\n";
+  for (int row = 0; row <= 40; ++row) {
+    const double noise = row % 2 == 0 ? 0.01 : -0.01, x = row == 13 ? 1 : row == 27 ? -0.9 : noise;
+    rows += fmt::format("{},{},{}\n", at(row), x / 8e6, -1e-3 / 8e6);
+  }
+  const test::PrivateFolder folder;
+  write_file(folder.path() / "drive.csv", rows);
+  const Scene scene = parse_scene(test::to_toml({.tangential = "kt",
+                                                 .receptance = "drive.csv",
+                                                 .angular_frequency = 1.1e5,
+                                                 .amplitude = 1e-7,
+                                                 .indentation = 5e-7,
+                                                 .coefficient = 0.3,
+                                                 .elements = {{"kn", 1e7}, {"kt", 8e6}}}),
+                                  (folder.path() / "scene.toml").string());
+  const auto response = frequency_response(symbolic::derive(scene));
+  BOOST_REQUIRE(response.marks.size() == 2u);
+  BOOST_TEST(response.marks[0].resonance);
+  BOOST_TEST(std::abs(response.marks[0].omega / at(13) - 1) < 1e-5);
+  BOOST_TEST(!response.marks[1].resonance);
+  BOOST_TEST(std::abs(response.marks[1].omega / at(27) - 1) < 1e-5);
+  for (int row = 0; row <= 40; ++row)
+    BOOST_TEST(std::ranges::any_of(response.points, [&](const ResponsePoint& point) {
+      return std::abs(point.omega / at(row) - 1) < 1e-14;
+    }));
 }
 
 // 0.3 omega 1e-7 (1e7/8e6) |1e7 - m omega^2|/|2e6 - m omega^2|: at low frequency 5 times, at high

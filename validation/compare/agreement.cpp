@@ -61,6 +61,8 @@ Comparison balanced(const SceneReport& report, const simulation::System& system,
                     const simulation::Onset& threshold) {
   Comparison comparison = velocity_comparison(
       report, "balance", "harmonic balance, as Eq. 24, of the networks in relaxation form");
+  expect_sliding(comparison, report);
+  if (std::isnan(comparison.expected)) return not_run(comparison, too_many_free_swings);
   comparison.found = threshold.contact_velocity;
   comparison.tolerance = motion_tolerance(report.condition);
   comparison.reason =
@@ -191,6 +193,19 @@ std::optional<Effect> effect_for(const Problem& problem,
   }
 }
 
+/// Friction where v* has no digits left to compare, as with a drive that does not give at all: it
+/// may be simulated nevertheless.
+void trace_alone(SceneReport& report, const Witnesses& witnesses, double drive_velocity) {
+  try {
+    const simulation::System system = witnesses.system(report.problem);
+    trace_curve(report, system, drive_velocity);
+    report.cycle = steady_cycle(system, 0.5 * drive_velocity);
+    report.cycle->ratio = 0.5;
+  } catch (const ModelError&) {
+    report.curve.clear();  // so near a resonance that nothing is
+  }
+}
+
 void simulate(SceneReport& report, const symbolic::Derivation& derivation,
               const CriticalOnset& onset, const Witnesses& witnesses, const Progress& progress) {
   progress("simulating");
@@ -199,6 +214,8 @@ void simulate(SceneReport& report, const symbolic::Derivation& derivation,
   if (const std::string why = why_no_march(report); !why.empty()) {
     report.comparisons.push_back(not_run(pending, why));
     report.comparisons.push_back(compare_periodic_motion(report));
+    if (why == lost_digits)
+      trace_alone(report, witnesses, report.critical_velocity + report.creep_velocity);
     return;
   }
   // Where no motion can begin there is nothing that could fail.

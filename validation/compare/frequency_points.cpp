@@ -19,6 +19,12 @@ namespace {
 
 constexpr double points_per_decade = 48;  // steps of 5 %; next to resonances more
 constexpr double most_points = 600;       // 12.5 decades at that; more are sampled more thinly
+constexpr int parts_of_gap = 4;           // of a table, between two of its rows
+constexpr std::size_t most_rows = 50000;  // of a table; a longer one is sampled more thinly
+constexpr std::size_t most_drawn = 2000;  // points of a curve
+// Peaks and dips are no less than this part of what they stand out of: rounding, and noise of
+// tables.
+constexpr double least_bump = 1e-6, bump_of_tables = 0.05;
 
 /// The problem, and what is asked of it again and again.
 class Response {
@@ -128,26 +134,71 @@ std::vector<double> even_steps(const FrequencyRange& range) {
   return omegas;
 }
 
-/// Peaks (sign 1) or dips (sign -1) of the drive's factor between neighbours on the grid.
-void find_extremes(const Response& response, const std::vector<double>& factors, double sign,
-                   FrequencyResponse& result) {
-  const auto& points = result.points;
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    const double least_bump = 1e-6 * factors[i];
-    if (sign * (factors[i] - factors[i - 1]) <= least_bump) continue;
-    if (sign * (factors[i] - factors[i + 1]) <= least_bump) continue;
-    // exp(log(omega)) is not omega to the last bit, and a measured drive ends with its table.
-    const auto omega = [&](double log_omega) {
-      return std::clamp(std::exp(log_omega), points[i - 1].omega, points[i + 1].omega);
-    };
-    const auto height = [&](double log_omega) {
-      return -sign * std::log(response.drive_factor(omega(log_omega)));
-    };
-    const double at = boost::math::tools::brent_find_minima(height, std::log(points[i - 1].omega),
-                                                            std::log(points[i + 1].omega), 40)
-                          .first;
-    result.marks.push_back({omega(at), sign > 0});
+// With each row of a table, and places between them: the response is straight there, but v* peaks
+// where a mass swings on it.
+std::vector<double> frequencies_of(const Problem& problem, const Values& values) {
+  std::vector<double> omegas = even_steps(range_of(problem, values));
+  if (problem->receptance() == nullptr) return omegas;
+  const auto& rows = problem->receptance()->rows;
+  double before = rows.front().omega;
+  for (std::size_t row = 1; row < rows.size(); row += rows.size() / most_rows + 1) {
+    for (int part = 1; part <= parts_of_gap; ++part)
+      omegas.push_back(std::lerp(before, rows[row].omega, double(part) / parts_of_gap));
+    before = rows[row].omega;
   }
+  std::ranges::sort(omegas);
+  omegas.erase(std::unique(omegas.begin(), omegas.end()), omegas.end());
+  return omegas;
+}
+
+/// A long table has more rows than a picture has places.
+void thin_out(std::vector<ResponsePoint>& points) {
+  const std::size_t step = points.size() / most_drawn + 1;
+  std::vector<ResponsePoint> kept;
+  for (std::size_t i = 0; i + 1 < points.size(); i += step) kept.push_back(points[i]);
+  kept.push_back(points.back());
+  points = std::move(kept);
+}
+
+/// Where the factors stop rising (sign 1) or falling (-1), numbers of points.
+struct Turn {
+  std::size_t at;
+  double sign;
+};
+
+/// Those from which they go back by more than `bump` of their size.
+std::vector<Turn> turns_of(const std::vector<double>& factors, double bump) {
+  std::vector<Turn> turns;
+  double sign = 0;                // of the way to the next turn
+  std::size_t high = 0, low = 0;  // since the last one
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    if (factors[i] > factors[high]) high = i;
+    if (factors[i] < factors[low]) low = i;
+    const bool falls = sign >= 0 && factors[i] < (1 - bump) * factors[high],
+               rises = sign <= 0 && factors[low] < (1 - bump) * factors[i];
+    if (!falls && !rises) continue;
+    // Of the first way no beginning is known.
+    if (sign != 0) turns.push_back({falls ? high : low, sign});
+    sign = falls ? -1 : 1;
+    (falls ? low : high) = i;
+  }
+  return turns;
+}
+
+/// The peak or dip of the drive's factor between the neighbours of a point.
+ResonanceMark mark_at(const Response& response, const std::vector<ResponsePoint>& points,
+                      const Turn& turn) {
+  const double before = points[turn.at - 1].omega, behind = points[turn.at + 1].omega;
+  // exp(log(omega)) is not omega to the last bit, and a measured drive ends with its table.
+  const auto omega = [&](double log_omega) {
+    return std::clamp(std::exp(log_omega), before, behind);
+  };
+  const auto height = [&](double log_omega) {
+    return -turn.sign * std::log(response.drive_factor(omega(log_omega)));
+  };
+  const double at =
+      boost::math::tools::brent_find_minima(height, std::log(before), std::log(behind), 40).first;
+  return {omega(at), turn.sign > 0};
 }
 
 /// Peaks are sharper than the grid: more points around them, ever closer.
@@ -174,13 +225,16 @@ FrequencyResponse frequency_points(const Problem& problem) {
   FrequencyResponse result;
   result.omega = values.at(problem->angular_frequency.symbol);
   std::vector<double> factors;
-  for (const double omega : even_steps(range_of(problem, values))) {
+  for (const double omega : frequencies_of(problem, values)) {
     result.points.push_back(response.at(omega));
     factors.push_back(response.drive_factor(result.points.back()));
   }
   if (problem->mass || problem->receptance() != nullptr || rules::drive_resonates(problem)) {
-    find_extremes(response, factors, 1, result);
-    find_extremes(response, factors, -1, result);
+    const double bump = problem->receptance() != nullptr ? bump_of_tables : least_bump;
+    for (const Turn& turn : turns_of(factors, bump))
+      result.marks.push_back(mark_at(response, result.points, turn));
+    std::ranges::stable_partition(result.marks, &ResonanceMark::resonance);
+    thin_out(result.points);
     add_points_around_marks(response, result);
   }
   return result;

@@ -1,15 +1,33 @@
 #include "compare/influences.hpp"
 
 #include <map>
+#include <optional>
 
 #include "answers/shares.hpp"
 #include "compare/formulas.hpp"
+#include "compare/values.hpp"
 #include "formula/symbols.hpp"
 #include "rules/kinds.hpp"
 
 namespace vcrit::validation {
 
-std::vector<Influence> influences(const Problem& problem, const std::vector<ValueLine>& lines) {
+namespace {
+
+/// The number that an isotropic contact has beside those of its networks.
+std::optional<ValueLine> line_of_ratio(const Problem& problem) {
+  const Isotropic* isotropic = given_ratio(problem);
+  if (isotropic == nullptr) return std::nullopt;
+  using symbolic::quantity;
+  const bool poisson = isotropic->by == Isotropic::By::poisson;
+  const GiNaC::ex sign = poisson ? quantity("nu") : quantity("K_t") / quantity("K_n");
+  return ValueLine{isotropic->quantity.symbol, formula_of(sign), *isotropic->quantity.value, "",
+                   poisson ? "Poisson's ratio" : "tangential over normal stiffness"};
+}
+
+}  // namespace
+
+std::vector<Influence> influences(const Problem& problem, std::vector<ValueLine> lines) {
+  if (const auto ratio = line_of_ratio(problem)) lines.push_back(*ratio);
   std::vector<Symbol> symbols;
   std::map<Symbol, const ValueLine*> line_of;
   for (const ValueLine& line : lines) {

@@ -155,10 +155,7 @@ double PeriodicMotion::border() const {
 Comparison compare_periodic_motion(const SceneReport& report) {
   Comparison comparison = velocity_comparison(
       report, "periodic", "periodic motion on a grid of one period: where its last stick ends");
-  if (!report.free_harmonics.empty()) {
-    comparison.expected = report.sliding_from;
-    comparison.reference = "v* less what free swings take off it";
-  }
+  expect_sliding(comparison, report);
   // A free swing hides as much again.
   comparison.tolerance = 2 * PeriodicMotion::resolution();
   comparison.reason = fmt::format(
@@ -167,7 +164,7 @@ Comparison compare_periodic_motion(const SceneReport& report) {
   try {
     const PeriodicMotion motion(report.problem);
     if (std::isnan(comparison.expected))
-      return not_run(comparison, "the border of so many free swings is not known");
+      return not_run(comparison, too_many_free_swings);
     if (is_speed(comparison.expected) &&
         (comparison.expected > motion.highest() || comparison.expected < motion.lowest()))
       return not_run(comparison, lost_digits);

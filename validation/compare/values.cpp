@@ -83,4 +83,11 @@ std::vector<ValueLine> value_lines(const Problem& problem) {
   return lines;
 }
 
+const Isotropic* given_ratio(const Problem& problem) {
+  const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
+  if (isotropic == nullptr) return nullptr;
+  const std::string name = to_text(as_called(problem, isotropic->quantity.symbol));
+  return problem->source->settable.contains(name) ? isotropic : nullptr;
+}
+
 }  // namespace vcrit::validation

@@ -9,4 +9,8 @@ namespace vcrit::validation {
 /// Throws InputError for missing values.
 std::vector<ValueLine> value_lines(const Problem& problem);
 
+/// Poisson's ratio or the ratio of stiffnesses where the scene has one: none where its two networks
+/// are equal, which makes a contact isotropic, too.
+const Isotropic* given_ratio(const Problem& problem);
+
 }  // namespace vcrit::validation

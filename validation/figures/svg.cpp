@@ -164,7 +164,8 @@ struct Box {
   }
 };
 
-/// Where words may stand: on no line, across no rule and on no other words.
+/// Where words may stand: on no line, across no rule and on no other words. Where rules stand too
+/// close for that, across them; they can be read there, unlike on other words.
 class FreePlaces {
  public:
   explicit FreePlaces(const Frame& frame) : frame_(frame) {
@@ -172,46 +173,53 @@ class FreePlaces {
       double last_x = NAN, last_y = NAN;
       for (const Point& point : series.points) {
         const double x = frame.x(point.x), y = frame.y(point.y);
-        if (is_near(frame, x, y)) add(last_x, last_y, x, y);
+        if (is_near(frame, x, y)) add(curves_, last_x, last_y, x, y);
         last_x = x;
         last_y = y;
       }
     }
     for (const Rule& rule : frame.figure.rules)
-      if (!rule.horizontal) add(frame.x(rule.at), 0, frame.x(rule.at), frame.height);
+      if (!rule.horizontal) add(rules_, frame.x(rule.at), 0, frame.x(rule.at), frame.height);
   }
 
   /// The first of these that is free, else the first; it is taken from now on.
   Box take(const std::vector<Box>& candidates) {
-    const auto found = std::find_if(candidates.begin(), candidates.end(),
-                                    [this](const Box& box) { return is_free(box); });
+    auto found = std::ranges::find_if(
+        candidates, [this](const Box& box) { return is_free(box) && !is_on(rules_, box); });
+    if (found == candidates.end())
+      found = std::ranges::find_if(candidates, [this](const Box& box) { return is_free(box); });
     words_.push_back(found == candidates.end() ? candidates.front() : *found);
     return words_.back();
   }
 
  private:
+  using Places = std::vector<std::pair<double, double>>;
+
   /// A point each few pixels, nearer than words are high.
-  void add(double from_x, double from_y, double x, double y) {
+  static void add(Places& places, double from_x, double from_y, double x, double y) {
     constexpr double step = 4;
     const double length = std::hypot(x - from_x, y - from_y);
     if (std::isfinite(length))
       for (double at = 0; at < length; at += step)
-        points_.push_back(
+        places.push_back(
             {from_x + (x - from_x) * at / length, from_y + (y - from_y) * at / length});
-    points_.push_back({x, y});
+    places.push_back({x, y});
+  }
+
+  static bool is_on(const Places& places, const Box& box) {
+    return std::ranges::any_of(places,
+                               [&](const auto& at) { return box.holds(at.first, at.second); });
   }
 
   bool is_free(const Box& box) const {
     return box.x >= 0 && box.x + box.width <= frame_.width && box.y >= 0 &&
-           box.y + box.height <= frame_.height &&
-           std::none_of(points_.begin(), points_.end(),
-                        [&](const auto& at) { return box.holds(at.first, at.second); }) &&
+           box.y + box.height <= frame_.height && !is_on(curves_, box) &&
            std::none_of(words_.begin(), words_.end(),
                         [&](const Box& other) { return box.meets(other); });
   }
 
   const Frame& frame_;
-  std::vector<std::pair<double, double>> points_;
+  Places curves_, rules_;
   std::vector<Box> words_;
 };
 

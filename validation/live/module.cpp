@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "base/constants.hpp"
 #include "critical/admissibility.hpp"
+#include "critical/conditioning.hpp"
 #include "critical/critical_velocity.hpp"
 #include "live/scene_text.hpp"
 #include "modes/general_modes.hpp"
@@ -91,6 +93,23 @@ simulation::Answers& answers() {
 
 bool has_formula() { return bool{rules::answer(rules::Question::formula, explored->now)}; }
 
+/// Eq. (24), infinite or 0 where an undamped resonance or antiresonance is so near that doubles do
+/// not tell how near: v* grows or falls towards it.
+double velocity_by_formula(const Problem& problem) {
+  const Values& values = problem.values();
+  double velocity = critical_velocity(problem);
+  if (!leaves_digits(formula_tolerance(condition_number(problem, values)))) {
+    const auto beside = [&, omega = values.at(problem->angular_frequency.symbol)](double share) {
+      return critical_velocity(problem, omega * (1 + share));
+    };
+    const double growth = beside(1e-8) / beside(1e-6);
+    velocity = growth > 2 ? infinity : growth < 0.5 ? 0 : velocity;
+  }
+  if (std::isnan(velocity))
+    throw ModelError("doubles have no digit of v* here; vcrit eval has all of them");
+  return velocity;
+}
+
 void put(const simulation::SteadyState& state) {
   numbers.insert(numbers.end(), {state.friction_ratio, state.friction_ratio_error,
                                  static_cast<double>(state.regime)});
@@ -150,7 +169,7 @@ VCRIT_EXPORT(reasons) int reasons() {
 VCRIT_EXPORT(critical) int critical() {
   return answered([] {
     if (has_formula()) {
-      const double velocity = critical_velocity(explored->now);
+      const double velocity = velocity_by_formula(explored->now);
       numbers = {velocity, velocity + creep_velocity(explored->now), 1};
     } else {
       const simulation::Onset onset = simulation::sliding_threshold(system());

@@ -110,8 +110,8 @@ std::string words_of_friction(const Point& point, const Scale& speed, double ful
 std::optional<Figure> answer_figure(const SceneReport& report) {
   const std::vector<Point> points = friction_points(report);
   const OnsetSpeeds at = onset_speeds(report);
-  const bool outside = !report.reasons.empty();
-  if (outside || points.empty() || !std::isfinite(at.drive) || !(at.drive > 0)) return std::nullopt;
+  const bool outside = !report.reasons.empty(), curve = points.size() > 1;
+  if (outside || !curve || !std::isfinite(at.drive) || !(at.drive > 0)) return std::nullopt;
   const double end = drawn_beyond * at.drive;
   const Scale scale = scale_for(end, "m/s");
   Figure figure;

@@ -122,7 +122,8 @@ Json inputs_record(const SceneReport& report) {
   if (!others.empty())
     at_most = fmt::format("{} at most {}", others.size() > 1 ? " together" : "", per_cent(sum));
   if (others.size() > most) {
-    at_most = fmt::format("{}all {} other numbers{}", begin, others.size(), at_most);
+    at_most =
+        fmt::format("{}all {} other numbers but the frequency{}", begin, others.size(), at_most);
     others.clear();
   }
   return {{"alike", signs_of(alike, tenth, " or ", " or ")},

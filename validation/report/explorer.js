@@ -10,6 +10,7 @@ const vcrit_explorer = (() => {
   const POINTS = 60, SLOW = 100;  // of a curve; ms
   const REGIMES = ["sliding", "stick-slip", "stick-slip with reverse slip", "sticking", "sliding, and the contact opens",
     "stick-slip, and the contact opens", "stick-slip with reverse slip, and the contact opens"];
+  const speed_row = { said: "sliding speed", exponent: -3, linear: false, field: at("explored-speed") };
   let simulator, own, speed = null, slow = false, planned = 0;
 
   // A field's text is a decimal number: 9.1 N/um is the double next to 9.1e6, as in a scene.
@@ -29,6 +30,16 @@ const vcrit_explorer = (() => {
 
   const is_own = (row) => row.text === row.own;
   const is_number = (text) => /^\+?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text);
+  const LARGEST_POISSON = 0.5;  // and above -1
+
+  // What is wrong with a text as a value of the row; nothing where it is one.
+  function fault(row, text) {
+    if (!is_number(row.linear ? text.replace(/^-/, "") : text) || (!row.linear && !(Number(text) > 0) && !/[1-9].*e-/i.test(text)))
+      return `is no number${row.linear ? "" : " above 0"}${text.includes(",") ? "; write a decimal point" : ""}`;
+    if (row.linear) return Number(text) > -1 && Number(text) <= LARGEST_POISSON ? "" : "is outside the range from −1 to 0.5";
+    const value = decimal(text, row.exponent);
+    return value > 0 && Number.isFinite(value) ? "" : "is beyond the range of numbers here, 5e-324 to 1.8e308";
+  }
   const value_of = (row) => (is_own(row) ? (row.array ? 1 : row.values[0]) : si(row, row.text));
   const set_values = (row) => (row.array ? row.values.map((x) => x * value_of(row)) : [value_of(row)]);
 
@@ -101,7 +112,7 @@ const vcrit_explorer = (() => {
     if (result.velocity === Infinity) result.messages.push(["unsure", "Vibration lowers friction at every speed (undamped resonance; any damping makes v* finite)."]);
     if (result.velocity === 0) result.messages.push(["unsure", "Vibration cannot lower friction here: the contact point stands still (antiresonance)."]);
     if (data.separation && amplitude > (result.closed ?? Infinity))
-      result.messages.push(["note", `The contact opens in every cycle${result.formula ? "" : "; v* is simulated, as the formula does not apply"}.`]);
+      result.messages.push(["note", `The contact opens in every cycle${result.velocity === null || result.formula ? "" : "; v* is simulated, as the formula does not apply"}.`]);
     result.to = reach(result.drive) ?? (result.velocity === Infinity ? reach(own?.answer?.drive ?? 0.01) : null);
     const probe = result.to === null ? null : simulator.friction_next(result.to);
     if (probe !== null && probe.status !== 0) result.messages.push(["note", `No friction curve: ${probe.message}.`]);
@@ -130,8 +141,8 @@ const vcrit_explorer = (() => {
   }
 
   // Number fields that hold no number, by what stands there.
-  const unread = () => rows.filter((row) => row.field.getAttribute("aria-invalid") === "true").map((row) =>
-    ["bad", `${row.meaning}: "${row.field.value}" is no number above 0${row.field.value.includes(",") ? "; write a decimal point" : ""}. The last one stays.`]);
+  const unread = () => [...rows, speed_row].filter((row) => row.field.getAttribute("aria-invalid") === "true").map((row) =>
+    ["bad", `${row.said}: "${row.field.value}" ${fault(row, row.field.value.trim())}. The last one stays.`]);
 
   function show_velocity(now) {
     const shown = at("explored-velocity"), applies = now.velocity !== null && !now.outside;
@@ -145,7 +156,7 @@ const vcrit_explorer = (() => {
   }
 
   const is_moved = () => rows.some((row) => !is_own(row));
-  const now_speed = () => (speed !== null ? Number(`${speed}e-3`) : vcrit_explorer.answer.drive / 2);
+  const now_speed = () => (speed !== null ? si(speed_row, speed) : vcrit_explorer.answer.drive / 2);
 
   function show_friction(now) {
     const chart = at("explored-friction");
@@ -208,11 +219,13 @@ const vcrit_explorer = (() => {
     for (const part of location.hash.slice(1).split("&")) {
       const [name, text] = part.split("=").map((word) => { try { return decodeURIComponent(word); } catch { return word; } });
       const row = rows.find((each) => each.name === name);
-      const found = /^((?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)(.*)$/i.exec(text ?? "");
-      if (!row || !found || !(Number(found[1]) > 0)) continue;
+      const found = /^(-?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)(.*)$/i.exec(text ?? "");
+      if (!row || !found) continue;
       const unit = found[2].replace("µ", "u"), power = exponent_of(row, unit);
-      if (row.array || unit === in_address(row)) row.text = found[1];
-      else if (power !== null) row.text = text_of(row, decimal(found[1], power));
+      const as_field = row.array || unit === in_address(row);
+      if (!as_field && power === null) continue;
+      const read = as_field ? found[1] : text_of(row, decimal(found[1], power));
+      if (fault(row, read) === "") row.text = read;
     }
   }
 
@@ -261,7 +274,7 @@ const vcrit_explorer = (() => {
     row.slider.addEventListener("input", () => { take(row, standing(row, Number(row.slider.value))); update(); });
     row.slider.addEventListener("keydown", (event) => keyed(row, event));
     row.field.addEventListener("input", () => {
-      const text = row.field.value.trim(), good = is_number(text) && (Number(text) > 0 || row.linear);
+      const text = row.field.value.trim(), good = fault(row, text) === "";
       row.field.setAttribute("aria-invalid", String(!good));
       if (good) row.text = text;
       show(row);
@@ -300,9 +313,16 @@ const vcrit_explorer = (() => {
     tell([["bad", `The simulator does not run in this browser (${error.message}).`]]);
   }
 
-  at("explored-speed").addEventListener("input", (event) => {
-    const text = event.target.value.trim();
-    if (is_number(text) && Number(text) > 0) speed = text;
+  speed_row.field.addEventListener("input", () => {
+    const text = speed_row.field.value.trim(), good = fault(speed_row, text) === "";
+    speed_row.field.setAttribute("aria-invalid", String(!good));
+    if (good) speed = text;
+    update();
+  });
+  speed_row.field.addEventListener("blur", () => {
+    if (speed_row.field.getAttribute("aria-invalid") !== "true") return;
+    speed_row.field.setAttribute("aria-invalid", "false");
+    if (speed !== null) speed_row.field.value = speed;
     update();
   });
   at("explorer-reset").addEventListener("click", reset);

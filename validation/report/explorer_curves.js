@@ -3,7 +3,7 @@
 
 const vcrit_curves = (() => {
   const at = (id) => document.getElementById(id);
-  const { scale, quantity } = vcrit_words;
+  const { scale, number } = vcrit_words;
   const left = 52, right = 14;
 
   function node(name, attributes, words) {
@@ -39,7 +39,9 @@ const vcrit_curves = (() => {
     return { x: to_x, y: to_y };
   }
 
-  const path = (points, to) => points.map(([x, y], i) => `${i ? "L" : "M"}${to.x(x).toFixed(2)} ${to.y(y).toFixed(2)}`).join("");
+  // Of lines that leave the picture by far browsers do not read the numbers.
+  const FAR = 1e5, length = (pixels) => Math.min(FAR, Math.max(-FAR, pixels)).toFixed(2);
+  const path = (points, to) => points.map(([x, y], i) => `${i ? "L" : "M"}${length(to.x(x))} ${length(to.y(y))}`).join("");
 
   function blank(place, height, label) {
     const width = Math.max(260, place.clientWidth), svg = node("svg", { viewBox: `0 0 ${width} ${height}`, width, height, role: "img", "aria-label": label });
@@ -96,7 +98,8 @@ const vcrit_curves = (() => {
     // A narrow line has no room for all words beside those of sticking.
     const what = width < 420 ? "force and its bound" : "friction force and its bound";
     const upper = plane(svg, { width, top: 28, bottom: 190, x: across, y: { from: least, to: most, title: `${what}, ${forces.unit}` }, words: false });
-    const values = points.map((p) => p[1] * speeds.factor), low = Math.min(0, ...values), high = Math.max(...values);
+    const values = points.map((p) => p[1] * speeds.factor), low = Math.min(0, ...values);
+    const high = Math.max(...values) || velocity * speeds.factor;  // it may stick all the time
     const lower = plane(svg, { width, top: 232, bottom: height - 42, x: across, y: { from: low - 0.05 * (high - low), to: high + 0.1 * (high - low), title: `contact speed, ${speeds.unit}` }, counts: [5, 3] });
     for (const [from, until] of sticking(events, points)) {
       for (const [top, bottom] of [[28, 190], [232, height - 42]])
@@ -110,7 +113,7 @@ const vcrit_curves = (() => {
     svg.append(node("path", { class: "now", d: path(points.map((p, i) => [xs[i], p[1] * speeds.factor]), lower) }));
     const cursor = node("line", { class: "cursor", y1: 28, y2: height - 42 });
     svg.append(cursor);
-    period_shown = { points, period, cursor, to: (part) => lower.x(part * end) };
+    period_shown = { points, period, time, forces, speeds, cursor, to: (part) => lower.x(part * end) };
     move_to(scrubber.part());
   }
 
@@ -128,10 +131,11 @@ const vcrit_curves = (() => {
 
   function move_to(part) {
     if (!period_shown) return;
-    const { points, period, cursor, to } = period_shown, x = to(part);
+    const { points, period, time, forces, speeds, cursor, to } = period_shown, x = to(part);
     for (const end of ["x1", "x2"]) cursor.setAttribute(end, x);
     const point = points[Math.min(points.length - 1, Math.round(part * points.length))];
-    const words = `${quantity(part * period, "s", 3)}: force ${quantity(point[2], "N", 3)}, contact speed ${quantity(point[1], "m/s", 3)}`;
+    const shown = (value, { factor, unit }) => `${number(value * factor, 3)} ${unit}`;
+    const words = `${shown(part * period, time)}: force ${shown(point[2], forces)}, contact speed ${shown(point[1], speeds)}`;
     at("explored-instant").textContent = words;
     at("explorer-time").setAttribute("aria-valuetext", words);
   }

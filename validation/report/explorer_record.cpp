@@ -24,11 +24,12 @@ namespace {
 // Of logarithmic sliders, two decades each way.
 constexpr int steps_a_decade = 200, decades_each_way = 2;
 // Of Poisson's ratio, in hundredths.
-constexpr int least_poisson = 0, most_poisson = 50;
+constexpr int usual_least_poisson = 0, least_poisson = -99, most_poisson = 50;
 
 /// A parameter; of an array all entries, by one factor.
 struct ExploredRow {
   std::string name;  ///< as for --set
+  std::string said;  ///< told from all others: "frequency", "spring k0"
   std::string meaning, mathml, unit;
   int exponent = 0;                 ///< a number of that unit is 10^exponent in SI
   std::vector<std::size_t> places;  ///< among the problem's values
@@ -38,8 +39,11 @@ struct ExploredRow {
   /// The page shows a slider; its script reads what that moves.
   friend void fields(record::Fields& f, const ExploredRow& it) {
     const int reach = steps_a_decade * decades_each_way;
-    f("name", it.name)("meaning", it.meaning).page("label", record::Markup{it.mathml});
-    f("unit", it.unit).page("low", it.poisson ? least_poisson : -reach);
+    f("name", it.name)("said", it.said)("meaning", it.meaning)
+        .page("label", record::Markup{it.mathml});
+    const bool auxetic = it.poisson && it.values.front() < usual_least_poisson;
+    f("unit", it.unit);
+    f.page("low", auxetic ? least_poisson : it.poisson ? usual_least_poisson : -reach);
     f.page("high", it.poisson ? most_poisson : reach);
     if (f.for_page()) return;
     f("exponent", it.exponent)("places", it.places)("values", it.values)("array", it.array);
@@ -86,6 +90,7 @@ double typed_frequency(const Problem& problem, double omega) {
 
 struct Called {
   std::string name, meaning;
+  bool alone = true;  ///< no other number has this meaning
 };
 
 /// Quantities by their keys in the scene, which --set takes whatever the scene calls their symbols.
@@ -99,13 +104,14 @@ Called called(const Problem& problem, const ValueLine& line) {
   if (problem->mount_mass && line.symbol == problem->mount_mass->symbol && !problem->mass)
     return {to_text(as_called(problem, line.symbol)), "moving mass"};
   if (problem->mass && line.symbol == problem->mass->symbol) return {"mass", "mass"};
-  return {to_text(as_called(problem, line.symbol)), line.meaning};
+  return {to_text(as_called(problem, line.symbol)), line.meaning, false};
 }
 
 ExploredRow row_of(const Problem& problem, const ValueLine& line) {
-  const auto [name, meaning] = called(problem, line);
+  const auto [name, meaning, alone] = called(problem, line);
   const Symbol shown = as_called(problem, line.symbol);
   ExploredRow row{.name = name,
+                  .said = alone ? meaning : meaning + " " + name,
                   .meaning = meaning,
                   .mathml = shown == line.symbol ? line.name.mathml
                                                  : formula_of(symbolic::symbol(shown)).mathml,
@@ -119,7 +125,7 @@ ExploredRow row_of(const Problem& problem, const ValueLine& line) {
     take_unit(row, "Hz", row.values.front());
   } else if (line.symbol.entry > 0) {
     row.name = as_called(problem, line.symbol).name;
-    row.meaning = "all entries of " + row.name;
+    row.said = row.meaning = "all entries of " + row.name;
     row.mathml = "";
     row.unit = "×";
     row.array = true;
@@ -130,12 +136,14 @@ ExploredRow row_of(const Problem& problem, const ValueLine& line) {
 }
 
 void add_poisson(const Problem& problem, std::vector<ExploredRow>& rows) {
-  const auto* isotropic = std::get_if<Isotropic>(&problem->tangential);
-  if (isotropic == nullptr || isotropic->quantity.symbol.name.empty()) return;
+  const Isotropic* isotropic = given_ratio(problem);
+  if (isotropic == nullptr) return;
   const Symbol& symbol = isotropic->quantity.symbol;
   const bool poisson = isotropic->by == Isotropic::By::poisson;
+  const char* const meaning = poisson ? "Poisson's ratio" : "tangential over normal stiffness";
   rows.push_back({.name = poisson ? "poisson" : "tangential_ratio",
-                  .meaning = poisson ? "Poisson's ratio" : "tangential over normal stiffness",
+                  .said = meaning,
+                  .meaning = meaning,
                   .mathml = poisson ? formula_of(symbolic::symbol(Symbol{"nu"})).mathml : "",
                   .unit = "",
                   .places = {place_among(problem, symbol)},

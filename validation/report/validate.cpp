@@ -124,6 +124,13 @@ std::vector<ordered_json> work_on(const std::vector<Problem>& problems, const Re
 
 }  // namespace
 
+void check_places(const Request& request) {
+  check_folder(request.directory / "report.json");
+  if (request.figures.empty()) return;
+  require_gnuplot("figures");
+  check_folder(request.figures / "figure.svg");
+}
+
 SceneContents compare(const Problem& problem, const Progress& step) {
   if (const rules::Answer derived = rules::answer(rules::Question::derivation, problem); !derived)
     return {report_without_formula(problem, derived.reason), {}};
@@ -136,7 +143,7 @@ SceneContents compare(const Problem& problem, const Progress& step) {
 
 Validation validate(const Request& request, const Watch& watch) {
   const std::vector<Problem> problems = read_all(request.files);
-  if (!request.figures.empty()) require_gnuplot("figures");
+  check_places(request);
   const Origin origin{this_machine(), command(request.files)};
   const std::vector<std::string> names = page_names(request.files);
   const std::vector<SceneFiles> pages = page_files(names);
@@ -164,7 +171,7 @@ Validation validate(const Request& request, const Watch& watch) {
 }
 
 Validation validate_paper(const Request& request, const Watch& watch) {
-  if (!request.figures.empty()) require_gnuplot("figures");
+  check_places(request);
   const auto progress = [&](const std::string& step) { watch({0, 1, {{"the paper", step}}}); };
   return report_paper({{this_machine(), paper_command}, paper::go_through(progress)}, request,
                       watch);

@@ -18,6 +18,9 @@ struct Request {
   std::filesystem::path figures;    ///< for the figures as files; empty: none
 };
 
+/// Throws InputError where its files cannot be written: before the work, not behind it.
+void check_places(const Request& request);
+
 /// Everything compared with everything of one scene.
 SceneContents compare(const Problem& problem, const Progress& step);
 

@@ -9,7 +9,7 @@
 namespace vcrit::validation::report {
 
 Validation validate_extremes(const Request& request, const Watch& watch) {
-  if (!request.figures.empty()) require_gnuplot("figures");
+  check_places(request);
   return report_extremes({{this_machine(), extremes_command}, extremes::go_to_extremes(watch)},
                          request, watch);
 }
