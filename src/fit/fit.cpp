@@ -341,6 +341,11 @@ double per_degree(const Fit& fit) { return fit.sum_of_squares / fit.degrees_of_f
 
 }  // namespace
 
+Interval interval_of(const Uncertain& number) {
+  const double factor = std::exp(reach * number.error / number.value);
+  return {number.value / factor, number.value * factor};
+}
+
 Fit fitted(const StiffnessTable& data, const Options& options) {
   if (options.most_branches < 1)
     throw InputError(argument("max_branches"), fmt::format("{}", options.most_branches),
