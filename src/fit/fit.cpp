@@ -282,7 +282,14 @@ void refuse_extremes(const StiffnessTable& data) {
   }
 }
 
+// A minute or two of one core, and half a gigabyte.
+constexpr std::size_t most_rows = 100'000;
+
 void refuse_what_cannot_be_fitted(const StiffnessTable& data) {
+  if (data.rows.size() > most_rows)
+    throw InputError({data.file}, fmt::format("{} rows of numbers", data.rows.size()),
+                     fmt::format("at most {}", most_rows),
+                     "put the mean of neighbouring rows in their place");
   refuse_extremes(data);
   if (data.rows.size() < least_rows)
     throw InputError({data.file}, fmt::format("{} rows of numbers", data.rows.size()),
