@@ -259,6 +259,14 @@ class Help(Case):
         self.refused(2, ["simulate", ZENER, *["--velocity", "1"] * 3], "--velocity: found it 3 times; expected it once")
         self.refused(2, ["eval", ZENER, "--", "--digits"], "--digits behind --", "expected options before it")
 
+    def test_options_of_methods(self):
+        """By the name of the option, also where the library refuses its value."""
+        for option, value, method in (("steps", "3", "moreau"), ("theta", "0.4", "moreau"), ("tolerance", "1", "rk8pd"),
+                                      ("regularisation", "2", "tanh")):
+            self.refused(2, ["simulate", ZENER, "--velocity-ratio", "0.5", "--method", method, f"--{option}", value],
+                         f"vcrit: --{option}: found {value}; expected a number from")
+        self.refused(2, ["simulate", ZENER, "--velocity-ratio", "0.5", "--steps", "9"], "expected moreau, which takes it")
+
     def test_languages_by_short_names(self):
         for short, full in [("c", "c99"), ("cpp", "c++"), ("js", "javascript"), ("py", "python")]:
             self.assertEqual(self.answer("generate", ZENER, "--out", short, "--language", short)["language"], full)
