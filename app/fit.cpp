@@ -5,10 +5,8 @@
 #include <CLI/App.hpp>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <memory>
-#include <sstream>
 
 #include "base/constants.hpp"
 #include "base/files.hpp"
@@ -21,7 +19,6 @@
 #include "fit/scene_text.hpp"
 #include "fit/words.hpp"
 #include "options.hpp"
-#include "problem/problem.hpp"
 #include "program.hpp"
 #include "record/fields.hpp"
 #include "report/figure_files.hpp"
@@ -125,26 +122,6 @@ void warn_of_wide_punch(const std::string& radius) {
                     radius));
 }
 
-/// "poisson" of `poisson = 0.6`, in that line of a scene.
-std::string key_in_line(const std::string& scene, int line) {
-  std::istringstream lines(scene);
-  std::string text;
-  for (int i = 0; i < line; ++i) std::getline(lines, text);
-  return text.substr(0, text.find_first_of(" ="));
-}
-
-// The file is not there yet: what is wrong with it is wrong with an option.
-void check_scene(const FitContents& contents) {
-  constexpr std::array given{"poisson", "frequency", "amplitude", "indentation", "coefficient"};
-  try {
-    parse_problem(contents.scene_text, contents.scene);
-  } catch (const InputError& error) {
-    const std::string key = key_in_line(contents.scene_text, error.place().line);
-    if (std::ranges::find(given, key) == given.end()) throw;
-    throw InputError(argument(key), error.found(), error.expected(), error.advice());
-  }
-}
-
 // All that may be wrong is found before the first file is written.
 void run_fit(const FitOptions& options) {
   const std::filesystem::path out = options.out;
@@ -165,7 +142,6 @@ void run_fit(const FitOptions& options) {
       options.out,
       std::filesystem::path(out).replace_extension(".html").string(),
       scene_text(fit, data, options.rest)};
-  check_scene(contents);
   std::vector<NewFile> files{{out, contents.scene_text}, {contents.page, fit_page(contents)}};
   if (!options.figures.empty())
     for (NewFile& file : figure_files(data, fit, options.figures)) files.push_back(std::move(file));

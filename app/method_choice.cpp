@@ -70,7 +70,8 @@ simulation::SteadyState MethodChoice::steady_state(const simulation::System& sys
     if (command_->count(option) > 0 &&
         std::find(methods.begin(), methods.end(), name_) == methods.end())
       throw InputError({option}, fmt::format("--method {}", name_),
-                       fmt::format("{}, which take it", joined(methods, ", ")));
+                       fmt::format("{}, which {} it", joined(methods, ", "),
+                                   methods.size() == 1 ? "takes" : "take"));
   simulation::MethodOptions options = options_;
   options.newton = !plain_;
   options.start = start();

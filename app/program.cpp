@@ -116,7 +116,7 @@ int run_command(int argc, char** argv, const AddCommands& add, bool json) {
   program.require_subcommand(1);
   int status = done;
   add(program, status);
-  refuse_options_as_values(program);
+  refuse_no_values(program);
   try {
     std::vector<std::string> last_first(words.rbegin(), words.rend());
     program.parse(last_first);

@@ -118,6 +118,8 @@ InputError not_expected(const CLI::App& program, const std::string& first) {
   const std::string word = too_many(program.remaining(true));
   if (!names_option(word)) return {{whole_line}, word, room_for(command), advice_on_rest(word)};
   const std::vector<std::string> options = long_options(command);
+  if (std::find(options.begin(), options.end(), word_of_option(word)) != options.end())
+    return {{whole_line}, word + " behind --", "options before it", advice};
   if (const auto found = nearest(word_of_option(word), options))
     return {{whole_line}, word, "the arguments that --help lists", did_you_mean(*found)};
   return {{whole_line},
@@ -190,18 +192,23 @@ std::vector<std::string> words_of_set(const std::string& set) {
   return words;
 }
 
+/// Says why, or nothing.
+std::string what_is_no_value(const std::string& value) {
+  if (value.empty()) return "found \"\"; expected a value";
+  const bool option = value.size() > 2 && value.starts_with("--") &&
+                      std::isalpha(static_cast<unsigned char>(value[2])) != 0;
+  return option ? fmt::format("found {0}; expected a value (./{0} for a file so called)", value)
+                : "";
+}
+
 }  // namespace
 
-void refuse_options_as_values(CLI::App& program) {
-  const auto refuse = [](const std::string& value) {
-    const bool option = value.size() > 2 && value.starts_with("--") &&
-                        std::isalpha(static_cast<unsigned char>(value[2])) != 0;
-    return option ? fmt::format("found {0}; expected a value (./{0} for a file so called)", value)
-                  : std::string();
-  };
-  for (CLI::App* command : program.get_subcommands({}))
+void refuse_no_values(CLI::App& program) {
+  for (CLI::App* command : program.get_subcommands({})) {
     for (CLI::Option* option : command->get_options())
-      if (option->get_items_expected_max() > 0) option->check(refuse);
+      if (option->get_items_expected_max() > 0) option->check(what_is_no_value);
+    refuse_no_values(*command);  // its groups
+  }
 }
 
 bool is_unknown_command(const CLI::App& program, const std::string& first) {
@@ -235,6 +242,12 @@ InputError in_parts(const CLI::ParseError& error, const CLI::App& program,
   std::string found = text.substr(colon + 2), expected = "a value as --help shows it";
   if (found.find(" required ") != std::string::npos && found.ends_with(" missing"))
     found = "no value";
+  constexpr std::string_view received = " required but received ";
+  if (const std::size_t at = found.find(received); at != std::string::npos)
+    return {{text.substr(0, colon)},
+            fmt::format("it {} times", found.substr(at + received.size())),
+            "it once",
+            advice};
   for (const auto& [between, such] :
        {std::pair{"; expected ", ""}, std::pair{" not in range ", "a number in the range "},
         std::pair{" not in ", "one of "}})
@@ -244,6 +257,7 @@ InputError in_parts(const CLI::ParseError& error, const CLI::App& program,
     }
   for (const char* word : {"Value ", "found "})
     if (const auto value = after(found, word)) found = *value;
+  if (found.empty()) found = "\"\"";
   return {{text.substr(0, colon)}, found, expected, meant(found, words_of_set(expected))};
 }
 

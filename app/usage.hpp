@@ -7,8 +7,9 @@
 
 namespace vcrit::app {
 
-/// Refuses an option where a value belongs: "--out --json" is no folder of that name.
-void refuse_options_as_values(CLI::App& program);
+/// Refuses an option where a value belongs ("--out --json" is no folder of that name), and an empty
+/// one, which is an unset variable of the shell.
+void refuse_no_values(CLI::App& program);
 
 /// Whether the first word behind the program's name should be a command and is none.
 bool is_unknown_command(const CLI::App& program, const std::string& first);

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <string_view>
 
 #include "base/joined.hpp"
 #include "base/numbers.hpp"
@@ -15,10 +16,20 @@ namespace {
 constexpr const char* byte_order_mark = "\xEF\xBB\xBF";
 constexpr const char* blanks_of_csv = " \t\r";
 
+std::string without_quotes(std::string_view cell) {
+  const bool quoted = cell.size() >= 2 && cell.front() == '"' && cell.back() == '"';
+  return std::string(quoted ? cell.substr(1, cell.size() - 2) : cell);
+}
+
 }  // namespace
 
 CsvLines::CsvLines(const std::string& text, const std::string& file)
-    : in_(text.starts_with(byte_order_mark) ? text.substr(3) : text), place_{file} {}
+    : in_(text.starts_with(byte_order_mark) ? text.substr(3) : text), place_{file} {
+  // As spreadsheets write "Unicode text".
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    throw InputError(place_, "a table in UTF-16", "one in UTF-8",
+                     "save it as CSV in UTF-8, with commas between the columns");
+}
 
 bool CsvLines::next() {
   while (std::getline(in_, line_)) {
@@ -40,7 +51,9 @@ std::vector<std::string> CsvLines::cells() const {
   std::vector<std::string> result;
   for (std::size_t begin = 0;;) {
     const auto comma = line_.find(',', begin);
-    result.emplace_back(trimmed(line_.substr(begin, comma - begin), blanks_of_csv));
+    const auto length = comma == line_.npos ? comma : comma - begin;
+    result.push_back(
+        without_quotes(trimmed(std::string_view(line_).substr(begin, length), blanks_of_csv)));
     if (comma == line_.npos) return result;
     begin = comma + 1;
   }

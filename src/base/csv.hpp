@@ -12,7 +12,8 @@ namespace vcrit {
 
 class CsvLines {
  public:
-  /// `text` of the file named `file`, with or without a byte order mark.
+  /// `text` of the file named `file`, with or without a byte order mark. Throws InputError where
+  /// that is one of UTF-16.
   CsvLines(const std::string& text, const std::string& file);
 
   /// Takes the first line. Throws InputError with the advice unless its cells are those of
@@ -24,7 +25,7 @@ class CsvLines {
   const std::string& line() const { return line_; }
   const Place& place() const { return place_; }
 
-  /// What stands between commas, without blanks around it.
+  /// What stands between commas, without blanks around it and quotes around the whole.
   std::vector<std::string> cells() const;
   /// The same as finite numbers. Throws InputError with the line; `expected` says what `count`
   /// numbers should be there.

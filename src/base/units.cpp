@@ -165,12 +165,36 @@ std::optional<TypedNumber> times(const Decimal& typed, const Decimal& factor) {
   return TypedNumber{*value, result.text()};
 }
 
-/// To udunits "5" of "0.3 5", and "-50" of "0.3-50", is a unit. To people "1" is, of plain numbers,
-/// and "1/s".
-bool is_second_number(std::string_view unit) {
-  if (unit == "1" || unit.find_first_of("0123456789.+-") != 0) return false;
-  const std::size_t next = unit.find_first_not_of(" \t", 1);
-  return !(unit.front() == '1' && next != unit.npos && unit[next] == '/');
+bool has_any(std::string_view characters, char c) { return characters.find(c) != characters.npos; }
+
+/// Behind these a number belongs to the unit: an origin, too, which is told as one.
+constexpr std::string_view signs = "/*^(@";
+
+/// Whether the number from `begin` to `end` is a part of the unit to people as well: an exponent,
+/// what a sign divides or multiplies by, and "1/s".
+bool belongs_to_unit(std::string_view unit, std::size_t begin, std::size_t end) {
+  const std::size_t next = unit.find_first_not_of(" \t", end);
+  if (unit.substr(begin, end - begin) == "1" && next != unit.npos && unit[next] == '/') return true;
+  if (begin == 0) return unit == "1";
+  const char before = unit[begin - 1];
+  if (!has_any(" \t", before)) return unit[begin] != '.' || has_any(signs, before);
+  const std::size_t last = unit.find_last_not_of(" \t", begin - 1);
+  return last == unit.npos || has_any(signs, unit[last]);
+}
+
+/// Where a number begins that is a second one: to udunits "5" of "0.3 5", "-50" of "0.3-50" and
+/// "10 %" of "8 N/um 10 %" are units, by which it multiplies. Else npos.
+std::size_t second_number(std::string_view unit) {
+  constexpr std::string_view digits = "0123456789";
+  for (std::size_t digit = 0; (digit = unit.find_first_of(digits, digit)) != unit.npos;) {
+    std::size_t begin = digit;
+    if (begin > 0 && unit[begin - 1] == '.') --begin;
+    if (begin > 0 && has_any("+-", unit[begin - 1])) --begin;
+    const std::size_t end = std::min(unit.find_first_not_of("0123456789.", digit), unit.size());
+    if (!belongs_to_unit(unit, begin, end)) return begin;
+    digit = end;
+  }
+  return unit.npos;
 }
 
 /// Whether a number of the one is one of the other, converted. To udunits a unit and its reciprocal
@@ -244,9 +268,11 @@ TypedNumber convert(double value, const Decimal& number, std::string_view unit, 
   if (unit.size() > longest_unit)
     refuse(fmt::format("a unit of {} characters, more than {}", unit.size(), longest_unit));
   const std::string_view typed = trimmed(whole.substr(0, whole.size() - unit.size()), " \t");
-  if (is_second_number(unit))
-    refuse(fmt::format("\"{}\" is a second number, no unit", unit),
-           advice_on_thousands(typed, unit));
+  const std::size_t second = second_number(unit);
+  const auto refuse_number = [&](const std::string& advice) {
+    refuse(fmt::format("\"{}\" is a second number, no unit", unit.substr(second)), advice);
+  };
+  if (second == 0) refuse_number(advice_on_thousands(typed, unit));
   // To udunits minutes and seconds of arc.
   if (unit.find_first_of("'\"") != unit.npos)
     refuse(fmt::format("unknown unit \"{}\"", unit), advice_on_thousands(typed, unit));
@@ -276,9 +302,12 @@ TypedNumber convert(double value, const Decimal& number, std::string_view unit, 
   const std::unique_ptr<cv_converter, void (*)(cv_converter*)> converter(
       ut_get_converter(from.get(), to.get()), cv_free);
   if (!converter) refuse("a unit that cannot be converted");
-  if (cv_convert_double(converter.get(), 0) == 0)
-    if (const auto factor = short_decimal(cv_convert_double(converter.get(), 1)))
-      if (const auto product = times(number, *factor)) return *product;
+  if (second != unit.npos) refuse_number("write the value and its unit alone");
+  // "8 N/um @ 20" is 28 N/um to udunits, to people a stiffness at some frequency.
+  if (cv_convert_double(converter.get(), 0) != 0)
+    refuse("a unit with a zero of its own", "write the value and its unit alone");
+  if (const auto factor = short_decimal(cv_convert_double(converter.get(), 1)))
+    if (const auto product = times(number, *factor)) return *product;
   return {cv_convert_double(converter.get(), value), {}};
 }
 

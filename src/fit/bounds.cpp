@@ -20,9 +20,6 @@ using Eigen::VectorXd;
 // Both ends and seven between: dense enough for a table, and for a curve through a few decades.
 constexpr int frequencies = 9;
 
-// A 95 % interval in standard deviations.
-constexpr double reach = 1.959963984540054;
-
 // Pivots below this part of the largest are rounding.
 constexpr double rank_cut = 1e-13;
 

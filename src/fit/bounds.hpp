@@ -8,11 +8,6 @@
 
 namespace vcrit::fit {
 
-/// Of 95 %: from the lowest to the highest value.
-struct Interval {
-  double low = 0, high = 0;
-};
-
 struct KnownStiffness {
   double omega = 0;              ///< rad/s
   double storage = 0, loss = 0;  ///< of the fitted series, N/m; inside the intervals

@@ -58,6 +58,9 @@ constexpr double first_level = 0.01;
 /// More than this of |K|, root mean square, is not usually noise.
 constexpr double usual_noise = 0.02;
 
+/// A 95 % interval in standard deviations.
+constexpr double reach = 1.959963984540054;
+
 /// One standard deviation is estimated from few degrees of freedom: what it must be multiplied by
 /// so that 1.96 of it hold the truth in 95 of 100 cases, Student's quantile over Gauss's.
 double widening(int degrees);

@@ -282,7 +282,14 @@ void refuse_extremes(const StiffnessTable& data) {
   }
 }
 
+// A minute or two of one core, and half a gigabyte.
+constexpr std::size_t most_rows = 100'000;
+
 void refuse_what_cannot_be_fitted(const StiffnessTable& data) {
+  if (data.rows.size() > most_rows)
+    throw InputError({data.file}, fmt::format("{} rows of numbers", data.rows.size()),
+                     fmt::format("at most {}", most_rows),
+                     "put the mean of neighbouring rows in their place");
   refuse_extremes(data);
   if (data.rows.size() < least_rows)
     throw InputError({data.file}, fmt::format("{} rows of numbers", data.rows.size()),
@@ -340,6 +347,11 @@ bool wants_a_damper(const Fit& fit) {
 double per_degree(const Fit& fit) { return fit.sum_of_squares / fit.degrees_of_freedom; }
 
 }  // namespace
+
+Interval interval_of(const Uncertain& number) {
+  const double factor = std::exp(reach * number.error / number.value);
+  return {number.value / factor, number.value * factor};
+}
 
 Fit fitted(const StiffnessTable& data, const Options& options) {
   if (options.most_branches < 1)

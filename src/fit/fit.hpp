@@ -18,10 +18,19 @@ struct Options {
   int most_branches = 20;
 };
 
-/// A number and one standard deviation of it.
+/// A number above 0 and one standard deviation of it: that of its logarithm, times the number.
 struct Uncertain {
   double value = 0, error = 0;
 };
+
+/// Of 95 %: from the lowest to the highest value.
+struct Interval {
+  double low = 0, high = 0;
+};
+
+/// That of the logarithm, in which the series is fitted. For small errors it is 1.96 of them each
+/// way; by large ones that would reach below 0, and miss more of the truths above.
+Interval interval_of(const Uncertain& number);
 
 struct FittedBranch {
   Uncertain stiffness, time;  ///< N/m, s

@@ -2,14 +2,15 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include "base/constants.hpp"
+#include "base/messages.hpp"
 #include "base/numbers.hpp"
+#include "base/plain_text.hpp"
 #include "base/rounded.hpp"
 #include "base/units.hpp"
+#include "scene/range.hpp"
 
 namespace vcrit::fit {
 
@@ -25,35 +26,41 @@ std::string list(const std::vector<FittedBranch>& branches, Uncertain FittedBran
   return "[" + text + "]";
 }
 
+// Titles and names of files have any bytes; a scene is UTF-8, and this one line of it.
+std::string on_a_line(const std::string& text) { return printable(one_line(text)); }
+
 // A basic string of TOML.
 std::string quoted(const std::string& text) {
   std::string result = "\"";
-  for (const char c : text) {
+  for (const char c : on_a_line(text)) {
     if (c == '"' || c == '\\') result += '\\';
-    result += std::iscntrl(static_cast<unsigned char>(c)) != 0 ? ' ' : c;
+    result += c;
   }
   return result + "\"";
 }
 
-// On one line, as a comment is.
-std::string in_a_comment(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(),
-      [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; }, ' ');
-  return text;
+std::string name_of(const StiffnessTable& data) {
+  return std::filesystem::path(data.file).filename().string();
 }
 
 struct Line {
   const char* key;
   const std::string& value;
   Dimension dimension;
+  const Range& range;
   const char* example;  ///< with what it means
 };
+
+// As the scene's own reader takes it, which knows nothing of options.
+void refuse_wrong(const Line& line) {
+  const Place place = argument(line.key);
+  checked(parse_typed(line.value, line.dimension, place), line.range, line.key, place);
+}
 
 // A bare number stays one; anything else is a text with a unit.
 std::string given(const Line& line) {
   if (line.value.empty()) return fmt::format("# {} = {}\n", line.key, line.example);
-  parse_quantity(line.value, line.dimension, argument(line.key));
+  refuse_wrong(line);
   return fmt::format("{} = {}\n", line.key, quoted(line.value));
 }
 
@@ -71,8 +78,7 @@ std::string contact(const Fit& fit, const StiffnessTable& data, const Rest& rest
   if (rest.poisson.empty())
     return text +
            "poisson = \"nu\"  # a symbol: put Poisson's ratio here, or a tangential network\n";
-  parse_quantity(rest.poisson, Dimension::none, argument("poisson"));
-  return text + fmt::format("poisson = {}\n", quoted(rest.poisson));
+  return text + given({"poisson", rest.poisson, Dimension::none, poisson_range, ""});
 }
 
 std::string elements(const Fit& fit) {
@@ -96,26 +102,23 @@ std::string origin(const Fit& fit, const StiffnessTable& data) {
       "# Prony series with {} branch{}, fitted by `vcrit fit` to {} frequencies of {}, {} to {},\n"
       "# with a root mean square misfit of {:.2g} %.\n",
       fit.branches.size(), fit.branches.size() == 1 ? "" : "es", data.rows.size(),
-      in_a_comment(std::filesystem::path(data.file).filename().string()),
-      rounded(data.rows.front().omega / hertz, "Hz"), rounded(data.rows.back().omega / hertz, "Hz"),
-      100 * fit.rms_relative);
+      on_a_line(name_of(data)), rounded(data.rows.front().omega / hertz, "Hz"),
+      rounded(data.rows.back().omega / hertz, "Hz"), 100 * fit.rms_relative);
 }
 
 }  // namespace
 
 std::string scene_text(const Fit& fit, const StiffnessTable& data, const Rest& rest) {
-  const std::string title =
-      rest.title.empty()
-          ? "Contact fitted to " + std::filesystem::path(data.file).filename().string()
-          : rest.title;
+  const std::string title = rest.title.empty() ? "Contact fitted to " + name_of(data) : rest.title;
   return origin(fit, data) + "title = " + quoted(title) + "\n\n" + contact(fit, data, rest) +
          "\n[oscillation]\n" +
-         given({"frequency", rest.frequency, Dimension::frequency, "\"20 kHz\""}) +
-         given({"amplitude", rest.amplitude, Dimension::length, "\"0.1 um\""}) +
-         given({"indentation", rest.indentation, Dimension::length,
+         given({"frequency", rest.frequency, Dimension::frequency, frequency_range, "\"20 kHz\""}) +
+         given({"amplitude", rest.amplitude, Dimension::length, nonnegative, "\"0.1 um\""}) +
+         given({"indentation", rest.indentation, Dimension::length, nonnegative,
                 "\"0.5 um\"  # the mean; the contact stays closed for smaller amplitudes only"}) +
-         "\n[friction]\n" + given({"coefficient", rest.coefficient, Dimension::none, "0.3"}) +
-         "\n" + elements(fit);
+         "\n[friction]\n" +
+         given({"coefficient", rest.coefficient, Dimension::none, nonnegative, "0.3"}) + "\n" +
+         elements(fit);
 }
 
 }  // namespace vcrit::fit

@@ -29,6 +29,12 @@ std::string noise_in_words(const Fit& fit) {
                      fit.sum_of_squares / fit.degrees_of_freedom);
 }
 
+bool is_poorly_known(const Uncertain& number) { return number.error > number.value / 2; }
+
+std::string in_numbers(const Interval& interval, const char* unit) {
+  return fmt::format("{} to {}", rounded(interval.low, unit, 2), rounded(interval.high, unit, 2));
+}
+
 }  // namespace
 
 std::vector<std::string> in_words(const StiffnessTable& data, const Fit& fit) {
@@ -57,11 +63,19 @@ std::vector<std::string> in_words(const StiffnessTable& data, const Fit& fit) {
     words.emplace_back(
         "the data need no equilibrium spring; without one this contact carries no static load and "
         "is not admissible as a normal contact");
+  const auto judge = [&](const std::optional<Uncertain>& number, const char* name,
+                         const char* unit) {
+    if (number && is_poorly_known(*number))
+      words.push_back(fmt::format("the {} is poorly known: {} (95 %)", name,
+                                  in_numbers(interval_of(*number), unit)));
+  };
+  judge(fit.equilibrium, "equilibrium spring", "N/m");
+  judge(fit.damper, "damper", "N s/m");
   for (const auto& [k, tau] : fit.branches)
-    if (k.error > k.value / 2)
-      words.push_back(fmt::format("the branch at {} is poorly known ({} ± {})",
-                                  rounded(tau.value, "s"), rounded(k.value, "N/m", 2),
-                                  rounded(k.error, "N/m", 1)));
+    if (is_poorly_known(k) || is_poorly_known(tau))
+      words.push_back(fmt::format("the branch at {} is poorly known: {}, {} (95 %)",
+                                  rounded(tau.value, "s"), in_numbers(interval_of(k), "N/m"),
+                                  in_numbers(interval_of(tau), "s")));
   if (data.rows.size() < 2 * fit.branches.size())
     words.emplace_back("there are more numbers in the series than frequencies in the data");
   words.insert(words.end(), data.notes.begin(), data.notes.end());

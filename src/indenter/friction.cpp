@@ -117,7 +117,8 @@ LastStick highest(const HalfSpace& half_space, const OnsetOfCell& onset) {
 
 FrictionOfSpeed friction_of(const HalfSpace& given, double tolerance) {
   if (!(tolerance > 0))
-    throw InputError({"tolerance"}, fmt::format("{}", tolerance), "a relative error above 0");
+    throw InputError(argument("tolerance"), fmt::format("{}", tolerance),
+                     "a relative error above 0");
   if (given.holder() && !given.uniform()) return rim_friction(given, tolerance);
   return [&given, tolerance](double velocity) {
     if (given.holder()) return of_whole(given, velocity);

@@ -37,14 +37,12 @@ const std::array<Known, measured_quantities>& known() {
 
 const std::string& usual_name(std::size_t quantity) { return known()[quantity].names.front(); }
 
-// "Storage error [N/um]" is storage_error and N/um; quotes around the whole do no harm.
+// "Storage error [N/um]" is storage_error and N/um.
 struct Heading {
   std::string name, unit;
   std::string cell = {}, written = {};  ///< whole, and the name, as the file has them: E', not e'
 };
-Heading heading(std::string cell, const Place& place) {
-  if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
-    cell = cell.substr(1, cell.size() - 2);
+Heading heading(const std::string& cell, const Place& place) {
   const auto open = cell.find_first_of("([");
   Heading result{cell.substr(0, open), ""};
   if (open != cell.npos) {

@@ -7,10 +7,10 @@
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <sstream>
 #include <string_view>
 #include <utility>
 
+#include "base/csv.hpp"
 #include "base/files.hpp"
 #include "base/numbers.hpp"
 #include "base/trimmed.hpp"
@@ -97,17 +97,16 @@ std::vector<double> spaced(bool logarithmic, double from, double to, std::size_t
 
 std::vector<double> parse_list(const std::string& text, const std::string& file,
                                Dimension dimension) {
-  std::istringstream lines(text);
+  CsvLines lines(text, file);
   std::vector<double> values;
-  int line = 0;
-  for (std::string entry; std::getline(lines, entry);) {
-    ++line;
-    entry.erase(std::min(entry.find('#'), entry.size()));
-    const std::string_view value = trimmed(entry, " \t\r");
+  while (lines.next()) {
+    const std::string& entry = lines.line();
+    const std::string_view value =
+        trimmed(std::string_view(entry).substr(0, entry.find('#')), " \t\r");
     if (value.empty()) continue;
-    values.push_back(parse_quantity(value, dimension, {file, line}));
+    values.push_back(parse_quantity(value, dimension, lines.place()));
     if (values.size() > most_values)
-      throw InputError({file, line}, "too many values", fmt::format("at most {}", most_values));
+      throw InputError(lines.place(), "too many values", fmt::format("at most {}", most_values));
   }
   if (values.empty()) throw InputError({file}, "no values", "at least one");
   return values;

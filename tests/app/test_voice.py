@@ -241,6 +241,32 @@ class Help(Case):
                      "found --samples; expected one of --help, --set, --over, --of, --cycle, --to,", "--velocity, --velocity-ratio; run")
         self.refused(2, ["--digits", "3", "eval", ZENER], "found --digits; expected a command before its options")
 
+    def test_no_value(self):
+        """An empty one, as an unset variable of the shell leaves, is named by the option that has it."""
+        for option, line in [
+            ("SCENE", ["eval", ""]), ("SCENE", ["validate", "", "--out", "v"]), ("FILE", ["new", ""]),
+            ("--out", ["fit", "x.csv", "--out", ""]), ("--velocity", ["simulate", ZENER, "--velocity", ""]),
+            ("--out", ["generate", ZENER, "--out", ""]), ("--out", ["plot", ZENER, "--out", ""]),
+        ]:
+            with self.subTest(line=line):
+                self.refused(2, line, f'{option}: found ""; expected a value')
+        for line in (["--digits", ""], ["--digits="]):
+            self.refused(2, ["eval", ZENER, *line], "--digits: found ")
+        self.refused(2, ["eval", ZENER, "--digits", ""], 'found "";')
+
+    def test_once(self):
+        self.refused(2, ["eval", ZENER, "--digits", "6", "--digits", "7"], "--digits: found it 2 times; expected it once")
+        self.refused(2, ["simulate", ZENER, *["--velocity", "1"] * 3], "--velocity: found it 3 times; expected it once")
+        self.refused(2, ["eval", ZENER, "--", "--digits"], "--digits behind --", "expected options before it")
+
+    def test_options_of_methods(self):
+        """By the name of the option, also where the library refuses its value."""
+        for option, value, method in (("steps", "3", "moreau"), ("theta", "0.4", "moreau"), ("tolerance", "1", "rk8pd"),
+                                      ("regularisation", "2", "tanh")):
+            self.refused(2, ["simulate", ZENER, "--velocity-ratio", "0.5", "--method", method, f"--{option}", value],
+                         f"vcrit: --{option}: found {value}; expected a number from")
+        self.refused(2, ["simulate", ZENER, "--velocity-ratio", "0.5", "--steps", "9"], "expected moreau, which takes it")
+
     def test_languages_by_short_names(self):
         for short, full in [("c", "c99"), ("cpp", "c++"), ("js", "javascript"), ("py", "python")]:
             self.assertEqual(self.answer("generate", ZENER, "--out", short, "--language", short)["language"], full)

@@ -90,10 +90,25 @@ BOOST_AUTO_TEST_CASE(a_second_number_is_refused) {
     BOOST_TEST(has(message(text, Dimension::none), "a second number"));
   for (const char* text : {"10 000 N/m", "1 -50 N/m", "8+3 N/m", "1 1 N/m"})
     BOOST_TEST(has(message(text, Dimension::stiffness), "a second number"));
+  for (const char* text : {"0.1 um 5", "0.1 um 10 %", "0.1 um 10%", "0.1 um +0.2", "0.1 um -0.2",
+                           "0.1 um.5", "0.1 (um) 2", "0.1 um from 5", "0.1 um 1"})
+    BOOST_TEST(has(message(text, Dimension::length), "a second number"));
+  BOOST_TEST(has(message("8 N/um 10 %", Dimension::stiffness), "(\"10 %\" is a second number"));
+  for (const char* text : {"8 N.m-1", "8 N m^-1", "8 N/m^1", "8 kg/s2", "8 kg s-2", "8 N 1/m",
+                           "8 kg.m^+2/(s^2 m2)", "8 N m**-1"})
+    BOOST_TEST(near(parse_quantity(text, Dimension::stiffness, place), 8));
+  for (const char* text : {"80 N/(10 m)", "16 N/m/2", "4 N*2/m"})
+    BOOST_TEST(near(parse_quantity(text, Dimension::stiffness, place), 8));
   BOOST_TEST(near(parse_quantity("20 1/s", Dimension::frequency, place), 20));
   BOOST_TEST(parse_quantity("0.3 1", Dimension::none, place) == 0.3);
   BOOST_TEST(near(parse_quantity("20 1 /s", Dimension::frequency, place), 20));
   BOOST_TEST(near(-parse_quantity("0.3 (-5)", Dimension::none, place), 1.5));
+}
+
+// udunits would count from 20 on: 28 N/um.
+BOOST_AUTO_TEST_CASE(units_count_from_zero) {
+  for (const char* text : {"8 N/um @ 20", "8 N/um@20"})
+    BOOST_TEST(has(message(text, Dimension::stiffness), "a unit with a zero of its own"));
 }
 
 BOOST_AUTO_TEST_CASE(a_number_beyond_the_doubles_is_refused) {

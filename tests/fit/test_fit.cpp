@@ -215,6 +215,7 @@ BOOST_AUTO_TEST_CASE(few_rows_leave_a_degree_of_freedom) {
   BOOST_TEST(fit.degrees_of_freedom >= 1);
   BOOST_CHECK_THROW(fit::fitted(measured(three, 10, 1e4, 2, 0.01, 1)), InputError);
   BOOST_CHECK_THROW(fit::fitted(measured(three, 1, 10, 3, 0, 1), {false, 0}), InputError);
+  BOOST_CHECK_THROW(fit::fitted(measured(three, 1, 10, 100'001, 0, 1)), InputError);
 }
 
 // Springs without loss get a branch no more often than noise shows a loss by two deviations, 2.3 %,

@@ -77,10 +77,45 @@ BOOST_AUTO_TEST_CASE(the_rest_is_symbols_until_it_is_given) {
   BOOST_TEST(full.amplitude.value.value() == 1e-7);
   BOOST_TEST(full.coefficient.value.value() == 0.3);
   BOOST_TEST(std::abs(tangential_ratio(std::get<Isotropic>(full.tangential)) - 0.75) < 1e-15);
-  rest.frequency = "20 mm";
-  BOOST_CHECK_THROW(scene_text(fit, data, rest), InputError);
-  const StiffnessTable odd{"a\nb\".csv", data.rows, false};
-  parse_scene(scene_text(fit, odd, {}), "s.toml");
+}
+
+// What the scene's reader would refuse is refused before it is written, by the option's name.
+BOOST_AUTO_TEST_CASE(wrong_values_are_those_of_an_option) {
+  const Fit fit = series(1, {}, {{1, 1}});
+  struct WrongValue {
+    const char* key;
+    std::string fit::Rest::*member;
+    const char* text;
+  };
+  for (const auto& [key, member, text] :
+       {WrongValue{"poisson", &fit::Rest::poisson, "0.6"},
+        WrongValue{"frequency", &fit::Rest::frequency, "20 mm"},
+        WrongValue{"frequency", &fit::Rest::frequency, "0 Hz"},
+        WrongValue{"amplitude", &fit::Rest::amplitude, "-0.1 um"},
+        WrongValue{"indentation", &fit::Rest::indentation, "-1"},
+        WrongValue{"coefficient", &fit::Rest::coefficient, "-0.3"}}) {
+    fit::Rest rest;
+    rest.*member = text;
+    const auto names_the_option = [key = key](const InputError& error) {
+      return to_text(error.place()) == to_text(argument(key));
+    };
+    BOOST_CHECK_EXCEPTION(scene_text(fit, data, rest), InputError, names_the_option);
+  }
+}
+
+// Names of files and titles have any bytes.
+BOOST_AUTO_TEST_CASE(a_scene_is_utf_8_whatever_the_table_is_called) {
+  const Fit fit = series(1, {}, {{1, 1}});
+  for (const char* name : {"a\nb\".csv", "pad\xff.csv", "\xe2\x80\xa8.csv", "p\x7f\\d.csv"}) {
+    const StiffnessTable odd{name, data.rows, false};
+    parse_scene(scene_text(fit, odd, {}), "s.toml");
+    fit::Rest rest;
+    rest.title = name;
+    parse_scene(scene_text(fit, data, rest), "s.toml");
+  }
+  fit::Rest rest;
+  rest.title = "pad\xff \"\xc3\xbc\"";
+  BOOST_TEST(parse_scene(scene_text(fit, data, rest), "s.toml").title == "pad\\xff \"\xc3\xbc\"");
 }
 
 }  // namespace

@@ -64,6 +64,14 @@ BOOST_AUTO_TEST_CASE(values_from_a_file) {
   std::ofstream(file) << "# none\n";
   BOOST_TEST(has(message("frequency=list:" + file.string()), "no values"));
   BOOST_TEST(has(message("frequency=list:/nowhere/list"), "no such file"));
+  // As Windows saves it.
+  std::ofstream(file) << "\xEF\xBB\xBF"
+                      << "1 kHz\r\n2 kHz\r\n";
+  BOOST_TEST((parse_axis("frequency=list:" + file.string(), kelvin()).values ==
+              std::vector<double>{1000, 2000}));
+  std::ofstream(file) << "\xFF\xFE"
+                      << "1";
+  BOOST_TEST(has(message("frequency=list:" + file.string()), "a table in UTF-16"));
 }
 
 BOOST_AUTO_TEST_CASE(mistakes_are_named) {

@@ -43,7 +43,7 @@ constexpr double tolerance_per_width = 0.1;
 
 void check(Method method, const MethodOptions& options) {
   const auto require = [](bool holds, const char* option, auto found, std::string expected) {
-    if (!holds) throw InputError({option}, fmt::format("{}", found), std::move(expected));
+    if (!holds) throw InputError(argument(option), fmt::format("{}", found), std::move(expected));
   };
   require(options.tolerance >= 1e-15 && options.tolerance <= loosest_tolerance, "tolerance",
           options.tolerance, "a number from 1e-15 to 0.001");
