@@ -163,8 +163,7 @@ Comparison compare_periodic_motion(const SceneReport& report) {
       points, PeriodicMotion::resolution());
   try {
     const PeriodicMotion motion(report.problem);
-    if (std::isnan(comparison.expected))
-      return not_run(comparison, too_many_free_swings);
+    if (std::isnan(comparison.expected)) return not_run(comparison, too_many_free_swings);
     if (is_speed(comparison.expected) &&
         (comparison.expected > motion.highest() || comparison.expected < motion.lowest()))
       return not_run(comparison, lost_digits);
