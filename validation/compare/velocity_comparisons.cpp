@@ -25,12 +25,6 @@ Comparison velocity_comparison(const SceneReport& report, const char* key, const
   return comparison;
 }
 
-void expect_sliding(Comparison& comparison, const SceneReport& report) {
-  if (report.free_harmonics.empty()) return;
-  comparison.expected = report.sliding_from;
-  comparison.reference = "v* less what free swings take off it";
-}
-
 Comparison not_run(Comparison comparison, const std::string& why) {
   comparison.not_run = true;
   comparison.detail = why;

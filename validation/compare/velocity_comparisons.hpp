@@ -21,12 +21,6 @@ inline constexpr const char* formula_reference = "Eq. 24, certified";
 /// A comparison of a velocity with report.velocity_of_doubles, still without its value.
 Comparison velocity_comparison(const SceneReport& report, const char* key, const char* name);
 
-/// Of a speed from which sliding is steady: a drive that swings freely at harmonics slides from
-/// less than v* on, NaN where it is not known from which.
-void expect_sliding(Comparison& comparison, const SceneReport& report);
-inline constexpr const char* too_many_free_swings =
-    "the border of so many free swings is not known";
-
 Comparison not_run(Comparison comparison, const std::string& why);
 Comparison broken(Comparison comparison, const std::string& why);
 
