@@ -14,6 +14,7 @@
 #include "simulation/system/check.hpp"
 #include "simulation/system/drive_rounding.hpp"
 #include "simulation/system/measured_drive.hpp"
+#include "stiffness/dynamic_stiffness.hpp"
 #include "stiffness/structure_check.hpp"
 
 namespace vcrit::simulation {
