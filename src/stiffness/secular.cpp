@@ -190,7 +190,9 @@ class Roots {
     const PoleInterval interval(f_, left, right);
     if (may_rise(left, right)) {
       const double half = interval.half();
-      const bool in_left_half = Near{f_, left}.second(half) < 0;
+      // Where the slope is steepest just halfway, bisection from the left pole ends there; the one
+      // to the right one would begin without a sign.
+      const bool in_left_half = !(Near{f_, right}.second(-half) > 0);
       const Near near{f_, in_left_half ? left : right};
       const double end = in_left_half ? half : -half;
       const double steepest =

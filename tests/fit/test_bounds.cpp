@@ -210,6 +210,19 @@ BOOST_AUTO_TEST_CASE(three_exact_rows_are_met) {
   }
 }
 
+// A plateau to two digits: each row of 1.2 N/m may be from 1.15 to 1.25, all of them alike.
+BOOST_AUTO_TEST_CASE(an_interval_holds_what_digits_leave_open) {
+  StiffnessTable data{"made", {}, false};
+  for (const double omega : {1.0, 3.0, 10.0, 30.0, 100.0})
+    data.rows.push_back({omega, 1.2, 0, 0, 0, 0, 0.1, 0.01});
+  const Fit fit = fit::fitted(data);
+  for (const KnownStiffness& at : fit::known_stiffness(data, fit, {1, 10, 100})) {
+    BOOST_TEST(at.storage_interval.low <= at.storage - 0.05);
+    BOOST_TEST(at.storage_interval.high >= at.storage + 0.05);
+    BOOST_TEST(at.loss_interval.high >= at.loss + 0.005);
+  }
+}
+
 // Three rows decades apart, of K_0 (1 + (i f/f_0)^a) with 0.24 % of noise that five numbers fit to
 // 0.001 %. A series of another program's nonnegative least squares (NumPy, times from 1e-12 to 80
 // s, twelve a decade) has a loss of 6.5e6 N/m at 189511 Hz and misses the rows by 2.2e-5 of |K|,

@@ -189,4 +189,24 @@ BOOST_AUTO_TEST_CASE(a_soft_spring_of_a_heavy_mass_is_one) {
   BOOST_TEST(std::abs(static_cast<double>(slowest) / std::sqrt(1 / 4000.0) - 1) < 1e-3);
 }
 
+// Two masses joined by 1 N/m, the second held by k = 17/2^64 N/m: p.q = 1 + 1/k at rest. A long
+// double of 1 + k holds 16/2^64 of k, so that a seventeenth is lost.
+BOOST_AUTO_TEST_CASE(a_receptance_knows_what_rounding_takes) {
+  constexpr long double k = 17 * 0x1p-64L;
+  DriveStructure structure{.mass = {1, 1},
+                           .damping = Dense<long double>(2, 2),
+                           .stiffness = Dense<long double>(2, 2),
+                           .branches = {},
+                           .port = {1, 0},
+                           .together = {1, 1}};
+  structure.stiffness(0, 0) = 1;
+  structure.stiffness(0, 1) = structure.stiffness(1, 0) = -1;
+  structure.stiffness(1, 1) = 1 + k;
+  const RoundedReceptance found = rounded_receptance(structure, 0);
+  const long double off = std::abs(found.value - (1 + 1 / k));
+  BOOST_TEST(off > 0.05L / k);
+  BOOST_TEST(off <= found.error);
+  BOOST_TEST(found.error < 2 / k);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -51,4 +51,18 @@ BOOST_AUTO_TEST_CASE(two_roots_below_the_first_pole_or_none) {
   BOOST_TEST(positive_roots({2, 1, {3}, {1.001 * 25 / 8}}).empty());
 }
 
+// (x - r_1)(x - r_2)(x - r_3)/((x - 1)(x - 2)) with three roots between its poles, close to each
+// other: slope 1, constant r_1 + r_2 + r_3 - 3, and the residues as weights, all of them exact. A
+// rounding of f, whose terms sum to less than 4, counts by the slope there.
+BOOST_AUTO_TEST_CASE(three_roots_between_two_poles) {
+  for (const double apart : {0.125, 0.0625}) {
+    const double weight = 0.5 * (0.5 - apart) * (0.5 + apart);
+    const auto roots = positive_roots({1, 1.5, {1, 2}, {weight, weight}});
+    BOOST_TEST_REQUIRE(roots.size() == 3U);
+    for (int i = 0; i < 3; ++i)
+      BOOST_TEST(std::abs(roots[static_cast<std::size_t>(i)].value() - (1.5 + (i - 1) * apart)) <=
+                 10 * 4 * u / (4 * apart * apart));
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()
