@@ -4,6 +4,8 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <complex>
+#include <memory>
+#include <utility>
 
 #include "base/errors.hpp"
 #include "base/free_swings.hpp"
@@ -285,6 +287,25 @@ BOOST_AUTO_TEST_CASE(a_stiff_damper_is_no_resonance) {
   BOOST_TEST(std::abs(sliding_threshold(beyond).contact_velocity - velocity) < 1e-7 * velocity);
   BOOST_TEST(test::refused<ModelError>([&] { friction(beyond, velocity / 2); },
                                        "parts of the drive are so different"));
+}
+
+// What rounding takes of a drive is a share of how it gives: a drive that is stiffer by this share
+// has its v* within the error of either answer, which is no more than some of those shares.
+BOOST_AUTO_TEST_CASE(rounding_of_a_drive_is_in_the_error_of_its_critical_velocity) {
+  constexpr double share = 1e-7;
+  const System exact = system(chain(two, two_numbers(20, 1, 0.2, 15, 1)));
+  System stiff = exact, rounded = exact;
+  hold_by(stiff, stiffer(exact.masses->structure, 1 + share));
+  DriveWithMasses masses = *exact.masses;
+  masses.rounding = share;
+  rounded.masses = std::make_shared<DriveWithMasses>(std::move(masses));
+  const double velocity = sliding_threshold(exact).contact_velocity;
+  const double change = std::abs(sliding_threshold(stiff).contact_velocity - velocity);
+  BOOST_TEST(change > 0.01 * share * velocity);
+  for (const Onset& onset : {sliding_threshold(rounded), stick_onset(rounded)}) {
+    BOOST_TEST(onset.uncertainty >= change);
+    BOOST_TEST(onset.uncertainty <= 10 * share * velocity);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
