@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(known_by_hand) {
 }
 
 // Halfway between two rows: R = 0.15 m/N. The shares of the rows count by omega/(3 - 1) |R_2 - R_1|
-// = 0.1, the rows themselves by 0.15 and three roundings by 0.45, each times 5/(1 + 5 R).
+// = 0.1, the rows themselves by 0.15 and three roundings by 0.45: 0.7, times 5/(1 + 5 R).
 BOOST_AUTO_TEST_CASE(rows_of_a_measured_drive_count) {
   Scene scene = test::scene_of(
       {.tangential = "kt", .network = "kd", .elements = {{"kn", 3}, {"kt", 5}, {"kd", 7}}});
@@ -50,8 +50,11 @@ BOOST_AUTO_TEST_CASE(rows_of_a_measured_drive_count) {
   scene.receptance = Receptance{"r.csv", {{1, 0.1, 0}, {3, 0.2, 0}}};
   std::erase_if(scene.elements, [](const auto& element) { return element.first.name == "kd"; });
   scene.typed.clear();
-  const double found = condition_number(scene, resolve(scene).values());
-  BOOST_TEST(is(found, 3 + 2 * root + 5 * (0.1 + 0.15 + 0.45) / 1.75));
+  BOOST_TEST(is(condition_number(scene, resolve(scene).values()), 3 + 2 * root + 5 * 0.7 / 1.75));
+  // m omega^2 = 4: D = 1 - 4 R, and N = 5 R + D.
+  scene.mass = {{{"m"}, 1}};
+  BOOST_TEST(is(condition_number(scene, resolve(scene).values()),
+                3 + 2 * root + 4 * 0.7 / 0.4 + 9 * 0.7 / 1.15));
 }
 
 // What two ways to v* may be apart by: 32 x 2^-53 = 2^-48 for each unit of the condition number, as

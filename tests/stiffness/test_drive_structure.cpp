@@ -174,6 +174,7 @@ BOOST_AUTO_TEST_CASE(fluidity_is_that_of_a_constant_force) {
   BOOST_TEST(fluidity("k1 - (mass(m1) | k2)") == 0);
   BOOST_TEST(std::abs(fluidity("k1 - (mass(m1) | c2)") - 1 / 0.05) < 1e-12);
   BOOST_TEST(std::abs(fluidity("c1 - (mass(m1) | c2)") - (1 / 0.2 + 1 / 0.05)) < 1e-12);
+  BOOST_TEST(std::abs(fluidity("(k1 - c1) - (mass(m1) | c2)") - (1 / 0.2 + 1 / 0.05)) < 1e-12);
   BOOST_TEST(fluidity("k1 | (c1 - mass(m1))") == 0);
 }
 
