@@ -21,11 +21,13 @@ class Mounts(Case):
 
     def test_evaluators_without_a_plain_range_compile_without_warnings(self):
         # So many factors that plain doubles hold no range of all of them: a parameter of a function had no use.
-        elements = {"ka": 7e5, "kb": 5e5, "ca": 100.0, "cb": 30.0, "cc": 80.0, "kc": 8e5, "k0": 1.5e6, "kt": 3e6, "k1": 1e6,
-                    "ct": 120.0, "kd": 9e6, "k": [1.3e6, 8.2e6, 8.3e6, 7e5], "tau": [1.4e-6, 2.4e-5, 6.3e-5, 8.5e-7]}
-        bridge = (["a", "b"], [["ka", "a", "1"], ["kb | ca", "a", "2"], ["cb", "1", "2"], ["cc", "1", "b"], ["kc", "2", "b"]])
-        text = scene(elements, {"bridge": bridge}, normal="bridge", tangential="kt | (k1 - ct)", network="kd", mass=4e-4,
-                     angular_frequency=3.6e5, amplitude=1e-7, indentation=5e-7)
+        elements = {"ka": 7e5, "kb": 5e5, "ca": 100.0, "cb": 30.0, "cc": 80.0, "kc": 8e5, "k0": 1.5e6, "kt": 3e6,
+                    "k1": 1e6, "ct": 120.0, "kd": 9e6, "k": [1.3e6, 8.2e6, 8.3e6, 7e5],
+                    "tau": [1.4e-6, 2.4e-5, 6.3e-5, 8.5e-7]}
+        bridge = (["a", "b"],
+                  [["ka", "a", "1"], ["kb | ca", "a", "2"], ["cb", "1", "2"], ["cc", "1", "b"], ["kc", "2", "b"]])
+        text = scene(elements, {"bridge": bridge}, normal="bridge", tangential="kt | (k1 - ct)", network="kd",
+                     mass=4e-4, angular_frequency=3.6e5, amplitude=1e-7, indentation=5e-7)
         file = self.write(f'[mount]\nnetwork = "prony(k0, k, tau)"\nmass = "m"\n{text}').name
         for language in ("c++", "c99", "cuda"):
             self.out("generate", file, "--out", ".", "--name", "many", "--language", language)

@@ -152,7 +152,8 @@ class Exceptions(unittest.TestCase):
 
     def test_name_the_argument_that_is_of_another_kind(self):
         # These were TypeErrors that listed arguments of the compiled module, or said what Python's str has.
-        scene, table = vcrit.Scene(ZENER), {"frequency": [1e3, 1e4, 1e5], "storage": [1e6, 2e6, 3e6], "loss": [1e5, 2e5, 1e5]}
+        scene = vcrit.Scene(ZENER)
+        table = {"frequency": [1e3, 1e4, 1e5], "storage": [1e6, 2e6, 3e6], "loss": [1e5, 2e5, 1e5]}
         half = "\udc80"
         for place, found, expected, call in [
                 ("method", "3", "a text", lambda: scene.simulate(0.1, method=3)),
