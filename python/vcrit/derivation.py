@@ -5,6 +5,7 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from . import _vcrit
+from .inputs import characters, refused
 from .scene import Scene
 
 
@@ -100,8 +101,8 @@ class Derivation:
         format: "text", "latex", "markdown", "html" or "json", or that of a system, which has v* alone: "sympy",
         "mathematica", "maple", "maxima", "mathml" or "c".
         """
-        return _vcrit.document(self._scene._handle, format, self._form, limits, sensitivities,
-                               standalone)
+        return _vcrit.document(self._scene._handle, characters(format, "format"), self._form, limits,
+                               sensitivities, standalone)
 
     def _repr_latex_(self) -> str:
         return _displayed([each.latex for each in self.definitions] + [self.latex])
@@ -116,7 +117,9 @@ def derive(scene: Scene, *, form: str = "shortest") -> Derivation:
     form: "shortest", "nested", "storage-loss", "rational", "dimensionless" or "expanded", as `vcrit derive --form`.
     Raises ModelError where the rational or the expanded form is too large.
     """
-    return Derivation(scene, form)
+    if not isinstance(scene, Scene):
+        raise refused("scene", f"a {type(scene).__name__}", "a vcrit.Scene, as vcrit.Scene(file)")
+    return Derivation(scene, characters(form, "form"))
 
 
 def _equations(lines: list[dict[str, str]]) -> tuple[Equation, ...]:

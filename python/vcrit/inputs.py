@@ -1,5 +1,6 @@
 """What callers give as numbers: arrays of any library, with units, masks and labels."""
 
+import operator
 import os
 import re
 import sys
@@ -15,6 +16,8 @@ from . import _vcrit
 # numpy.ma has no types.
 ma: Any = np.ma
 
+
+_MOST = 2**31 - 1  # an int of C++
 
 Parse: TypeAlias = Callable[[str], float]
 """The SI value of a text with a unit; raises InputError."""
@@ -34,8 +37,10 @@ def refused(place: str, found: str, expected: str) -> _vcrit.InputError:
     return error
 
 
-def characters(text: str, place: str) -> str:
-    """`text`, unless it holds half a character, which no file and no message can."""
+def characters(text: Any, place: str) -> str:
+    """A text, unless it holds half a character, which no file and no message can."""
+    if not isinstance(text, str):
+        raise refused(place, _described(text), "a text")
     try:
         text.encode()
     except UnicodeEncodeError as error:
@@ -81,6 +86,24 @@ def text_with_unit(given: Any, place: str) -> str:
     if given is None:
         return ""
     return characters(given, place) if is_text(given) else number_with_unit(given, place)
+
+
+def plain_number(given: Any, place: str) -> float:
+    try:
+        return float(given)
+    except (TypeError, ValueError, OverflowError):
+        raise refused(place, _described(given), "a number") from None
+
+
+def whole_number(given: Any, place: str) -> int:
+    """One that the module takes; what range it must be in, the module says."""
+    try:
+        number = operator.index(given)
+    except TypeError:
+        raise refused(place, _described(given), "a whole number") from None
+    if not -_MOST <= number <= _MOST:
+        raise refused(place, _described(given), f"a whole number of at most {_MOST}")
+    return number
 
 
 def is_text(given: Any) -> bool:

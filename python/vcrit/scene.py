@@ -265,12 +265,12 @@ class Scene:
         """
         speed, ratio = Speeds.of(velocity, velocity_ratio).one(self._handle)
         friction, error, regime, periods, events, agree = _vcrit.simulate(
-            self._handle, speed, method, start)
+            self._handle, speed, characters(method, "method"), characters(start, "start"))
         state = SteadyState(speed, ratio, friction, error, regime, method, periods,
                             tuple(Event(*event) for event in events), agree)
         return state._in(self) if method == "exact" else state
 
-    def solve(self, sought: str, friction_ratio: float, *, velocity: Value | None = None,
+    def solve(self, sought: str, friction_ratio: Value, *, velocity: Value | None = None,
               from_: Value | None = None, to: Value | None = None,
               samples: int | None = None) -> Solution:
         """What reaches mu_macro/mu0 = `friction_ratio`, as `vcrit solve`.
@@ -278,7 +278,7 @@ class Scene:
         sought: "amplitude" or "frequency", of which the smallest is found at this `velocity` of the
         drive, or "velocity", of which the largest is. from_, to: the range to search. samples: how
         many values of it are tried, 400 or, below an indenter, 32. Numbers in SI or texts with a
-        unit. Raises InputError, and ModelError where nothing in the range reaches the ratio: it
+        unit, a ratio "80%" as well. Raises InputError, and ModelError where nothing in the range reaches the ratio: it
         says why, and what would.
         """
         return solution(self._handle, sought, friction_ratio, velocity, from_, to, samples)
@@ -303,7 +303,7 @@ class Scene:
         velocity over one period at a speed, half of v* unless it is given.
         Raises InputError, ModelError.
         """
-        return _vcrit.svg(self._handle, of, *self._shown(of, to, velocity, velocity_ratio))
+        return _vcrit.svg(self._handle, characters(of, "of"), *self._shown(of, to, velocity, velocity_ratio))
 
     def plot(self, of: str = "friction", *, to: Value | None = None, velocity: Value | None = None,
              velocity_ratio: Value | None = None, ax: Any = None) -> Any:
@@ -311,7 +311,8 @@ class Scene:
 
         Raises InputError, ModelError, and ImportError where there is no matplotlib.
         """
-        return pictures.drawn(self._handle, of, *self._shown(of, to, velocity, velocity_ratio), ax)
+        return pictures.drawn(self._handle, characters(of, "of"),
+                              *self._shown(of, to, velocity, velocity_ratio), ax)
 
     def _shown(self, of: str, to: Any, velocity: Any, ratio: Any) -> tuple[float | None, float]:
         end = None if to is None else _vcrit.parse_velocity(text_with_unit(to, "to"), "to")

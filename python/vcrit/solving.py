@@ -4,7 +4,7 @@ import warnings
 from typing import Any, NamedTuple
 
 from . import _vcrit
-from .inputs import refused, text_with_unit
+from .inputs import characters, is_text, plain_number, refused, text_with_unit, whole_number
 from .results import speed
 
 
@@ -48,15 +48,19 @@ class Solution(NamedTuple):
                 f"friction ratio of {self.friction_ratio:.4g}{at}>")
 
 
-def solution(scene: _vcrit.Scene, sought: str, friction_ratio: float, velocity: Any, from_: Any,
+def solution(scene: _vcrit.Scene, sought: str, friction_ratio: Any, velocity: Any, from_: Any,
              to: Any, samples: int | None) -> Solution:
+    characters(sought, "sought")
+    ratio = (_vcrit.parse_ratio(characters(friction_ratio, "friction_ratio"), "friction_ratio")
+             if is_text(friction_ratio) else plain_number(friction_ratio, "friction_ratio"))
     if velocity is None and sought in ("amplitude", "frequency"):
         raise refused("velocity", "none", "the velocity of the drive")
     if velocity is not None and sought == "velocity":
         raise refused("velocity", "a velocity, which is sought", "none")
     found, warning = _vcrit.solve(
-        scene, sought, friction_ratio, text_with_unit(velocity, "velocity"),
-        text_with_unit(from_, "from_"), text_with_unit(to, "to"), samples)
+        scene, sought, ratio, text_with_unit(velocity, "velocity"),
+        text_with_unit(from_, "from_"), text_with_unit(to, "to"),
+        None if samples is None else whole_number(samples, "samples"))
     if warning is not None:
         warnings.warn(warning, stacklevel=3)
     return Solution(**found)

@@ -1,7 +1,7 @@
 """Quantities over a grid of parameters and speeds, as `vcrit sweep` finds them."""
 
 import warnings
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -49,10 +49,12 @@ class Sweep:
 
 def sweep(scene: _vcrit.Scene, over: Mapping[str, Any], quantity: str | Sequence[str],
           velocity: Any, velocity_ratio: Any) -> Sweep:
+    if not hasattr(over, "items"):
+        raise refused("over", f"a {type(over).__name__}", "names and their values: {'frequency': values}")
     axes = [_axis(scene, characters(name, "over"), values) for name, values in over.items()]
     if not axes:
         raise refused("over", "no axis", "names and their values: {'frequency': values}")
-    names = [quantity] if isinstance(quantity, str) else list(quantity)
+    names = [characters(name, "quantity") for name in _several(quantity)]
     table, columns, outside, reason, warned = _vcrit.sweep(
         scene, axes, names, text_with_unit(velocity, "velocity"),
         text_with_unit(velocity_ratio, "velocity_ratio"))
@@ -65,6 +67,10 @@ def sweep(scene: _vcrit.Scene, over: Mapping[str, Any], quantity: str | Sequence
              for i, (name, _, words, first) in enumerate(columns)}
     units = {axis.name: axis.unit for axis in axes} | {name: unit for name, unit, _, _ in columns}
     return Sweep({axis.name: np.array(axis.values) for axis in axes}, found, units, outside, reason)
+
+
+def _several(quantity: Any) -> Iterable[Any]:
+    return quantity if isinstance(quantity, Iterable) and not is_text(quantity) else [quantity]
 
 
 def _axis(scene: _vcrit.Scene, name: str, values: Any) -> _vcrit.Axis:

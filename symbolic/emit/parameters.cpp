@@ -27,12 +27,14 @@ ParameterList::ParameterList(const Problem& problem, const std::vector<Symbol>& 
 void ParameterList::add(const Symbol& symbol, const Meaning& meaning, const Problem& problem) {
   known_.insert(symbol);
   const std::string name = in_language(as_called(problem, symbol).name);
-  if (symbol.entry == 0) return members_.push_back({name, meaning.words, 0, symbol.name});
+  if (symbol.entry == 0)
+    return members_.push_back({name, meaning.words, meaning.dimension, 0, symbol.name});
   const bool is_there = std::any_of(members_.begin(), members_.end(), [&](const Member& member) {
     return member.symbol == symbol.name;
   });
   if (!is_there)
-    members_.push_back({name, meaning.words, problem->source->arrays.at(symbol.name), symbol.name});
+    members_.push_back({name, meaning.words, meaning.dimension,
+                        problem->source->arrays.at(symbol.name), symbol.name});
 }
 
 std::string ParameterList::named(std::string text) const {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/units.hpp"
 #include "derivation/derivation.hpp"
 #include "derivation/meanings.hpp"
 #include "emit/options.hpp"
@@ -18,6 +19,7 @@ namespace vcrit::symbolic {
 struct Member {
   std::string name;  ///< that the scene gives it, as the language spells it
   std::string comment;
+  Dimension dimension = Dimension::none;
   int length = 0;      ///< of an array, 0 for a number
   std::string symbol;  ///< what it is called in the program: Symbol::name
 };

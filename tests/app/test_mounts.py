@@ -6,6 +6,7 @@ import math
 import unittest
 from pathlib import Path
 
+import drivers
 from program import Case, example, scene
 
 MOUNT = example("mount")
@@ -17,6 +18,27 @@ class Mounts(Case):
         values = {"kn": 1e7, "cn": 30, "km": 5e6} | dict(elements)
         given = {"normal": "kn | cn", "angular_frequency": 1e5, "amplitude": 1e-7, "indentation": 5e-7} | changed
         return self.write(f"[mount]\n{mount}\n{more}{scene(values, **given)}").name
+
+    def test_evaluators_without_a_plain_range_compile_without_warnings(self):
+        # So many factors that plain doubles hold no range of all of them: a parameter of a function had no use.
+        elements = {"ka": 7e5, "kb": 5e5, "ca": 100.0, "cb": 30.0, "cc": 80.0, "kc": 8e5, "k0": 1.5e6, "kt": 3e6,
+                    "k1": 1e6, "ct": 120.0, "kd": 9e6, "k": [1.3e6, 8.2e6, 8.3e6, 7e5],
+                    "tau": [1.4e-6, 2.4e-5, 6.3e-5, 8.5e-7]}
+        bridge = (["a", "b"],
+                  [["ka", "a", "1"], ["kb | ca", "a", "2"], ["cb", "1", "2"], ["cc", "1", "b"], ["kc", "2", "b"]])
+        text = scene(elements, {"bridge": bridge}, normal="bridge", tangential="kt | (k1 - ct)", network="kd",
+                     mass=4e-4, angular_frequency=3.6e5, amplitude=1e-7, indentation=5e-7)
+        file = self.write(f'[mount]\nnetwork = "prony(k0, k, tau)"\nmass = "m"\n{text}').name
+        for language in ("c++", "c99", "cuda"):
+            self.out("generate", file, "--out", ".", "--name", "many", "--language", language)
+        layout = drivers.members((self.folder / "many.hpp").read_text())
+        values = {"mu0": 0.3, "omega": 3.6e5, "U": 1e-7, "m": 4e-4} | elements
+        row = [x for name, length in layout for x in (values[name] if length else [values[name]])]
+        expected = self.answer("eval", file)["critical_velocity"]
+        for language in ("c99", "cuda"):
+            (value, bound, *_), = drivers.answers(language, self.folder, [("many", layout)], [(0, row)])
+            self.assertLess(bound, 1.2e-16)
+            self.assertLessEqual(abs(value / expected - 1), 2 * bound)
 
     def test_eval_and_simulate_say_what_arrives_at_the_contact(self):
         scene = self.mounted('network = "km"\nmass = 2e-4')

@@ -125,6 +125,18 @@ BOOST_AUTO_TEST_CASE(elements_below_an_indenter_are_moduli) {
   BOOST_TEST(text(VCRIT_SCENES "/zener.toml").find("/// K(i omega), N/m\n") != std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(all_parameters_of_quantities_have_their_units) {
+  // Those of a mount had none.
+  const std::string text =
+      symbolic::emit_quantities(derive(read_scene(VCRIT_SCENES "/mount.toml")), "pad", {{}, true});
+  for (const char* words :
+       {"double mu0;    ///< friction coefficient\n", "///< angular frequency, rad/s\n",
+        "///< amplitude of the vibrator, m\n", "///< mean normal force, N\n",
+        "///< mass that moves along the normal, kg\n", "///< spring, N/m\n",
+        "///< damper, N s/m\n"})
+    BOOST_TEST(contains(text, words), words);
+}
+
 BOOST_AUTO_TEST_CASE(titles_cannot_break_out_of_their_comment) {
   const std::string hostile = "a\n#error b\r\\";
   const std::string text = comment(hostile);

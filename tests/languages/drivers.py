@@ -27,10 +27,9 @@ def members(header, struct="Parameters"):
     if not body:
         return []
     found = []
-    for line in body[1].splitlines():
-        declared = re.match(r"\s*(?:double|std::array<double, (\d+)>) ([\w, ]+);", line)
-        if declared:
-            found += [(name, int(declared[1] or 0)) for name in declared[2].split(", ")]
+    # A declaration of many names has several lines.
+    for length, names in re.findall(r"^\s*(?:double|std::array<double, (\d+)>) ([\w,\s]+);", body[1], re.M):
+        found += [(name, int(length or 0)) for name in re.split(r",\s+", names)]
     return found
 
 

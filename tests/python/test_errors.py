@@ -150,6 +150,41 @@ class Exceptions(unittest.TestCase):
         with self.assertRaisesRegex(vcrit.InputError, "no such"):
             vcrit.Scene("no such \udcff file")
 
+    def test_name_the_argument_that_is_of_another_kind(self):
+        # These were TypeErrors that listed arguments of the compiled module, or said what Python's str has.
+        scene = vcrit.Scene(ZENER)
+        table = {"frequency": [1e3, 1e4, 1e5], "storage": [1e6, 2e6, 3e6], "loss": [1e5, 2e5, 1e5]}
+        half = "\udc80"
+        for place, found, expected, call in [
+                ("method", "3", "a text", lambda: scene.simulate(0.1, method=3)),
+                ("method", r"'\udc80', a lone surrogate", "text of whole characters",
+                 lambda: scene.simulate(0.1, method=half)),
+                ("start", "None", "a text", lambda: scene.simulate(0.1, start=None)),
+                ("of", "None", "a text", lambda: scene.svg(None)),
+                ("of", "b'friction'", "a text", lambda: scene.plot(b"friction")),
+                ("format", "2.5", "a text", lambda: vcrit.derive(scene).document(2.5)),
+                ("form", "None", "a text", lambda: vcrit.derive(scene, form=None)),
+                ("scene", "a str", "a vcrit.Scene, as vcrit.Scene(file)", lambda: vcrit.derive(ZENER)),
+                ("text", "b'a=1'", "a text", lambda: vcrit.Scene.from_text(b"a=1")),
+                ("name of a value", "3", "a text", lambda: scene.with_values({3: 1.0})),
+                ("over", "a list", "names and their values: {'frequency': values}",
+                 lambda: scene.sweep(["frequency"], "regime")),
+                ("over", "3", "a text", lambda: scene.sweep({3: [1.0]}, "regime")),
+                ("quantity", "3", "a text", lambda: scene.sweep({"frequency": [1e4]}, 3)),
+                ("quantity", "None", "a text", lambda: scene.sweep({"frequency": [1e4]}, [None])),
+                ("sought", "3", "a text", lambda: scene.solve(3, 0.8)),
+                ("friction_ratio", "None", "a number", lambda: scene.solve("velocity", None)),
+                ("samples", "2.5", "a whole number", lambda: scene.solve("velocity", 0.8, samples=2.5)),
+                ("samples", "1000000000000", "a whole number of at most 2147483647",
+                 lambda: scene.solve("velocity", 0.8, samples=10**12)),
+                ("max_branches", "None", "a whole number", lambda: vcrit.fit(table, max_branches=None)),
+                ("max_branches", "2147483648", "a whole number of at most 2147483647",
+                 lambda: vcrit.fit(table, max_branches=2**31))]:
+            with self.subTest(place=place, found=found):
+                with self.assertRaises(vcrit.InputError) as caught:
+                    call()
+                self.assertEqual(str(caught.exception), f"{place}: found {found}; expected {expected}")
+
     def test_name_methods_forms_and_formats(self):
         scene = vcrit.Scene(ZENER)
         with self.assertRaisesRegex(vcrit.InputError, '^method: found "other"; expected one of exact, moreau'):

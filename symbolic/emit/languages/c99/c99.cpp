@@ -21,7 +21,8 @@ class C99 {
     std::string out = structs() + prefixed(sections_["numbers"]) + prefixed(sections_["wide"]) +
                       prefixed(sections_.rare_operations(evaluator_.gradient.program));
     out += prefixed("static inline int THE_in_range(const THE_Parameters p) {\n") +
-           statement(fmt::format("return {};", in_range(evaluator_, spelling_, " && ", "0"))) +
+           statement(
+               fmt::format("return {};", in_range(evaluator_, spelling_, " && ", "((void)p, 0)"))) +
            "}\n" + prefixed("static inline int THE_allowed(const THE_Parameters p) {\n") +
            allowed_body(evaluator_.parameters, evaluator_.velocity) + "}\n";
     out += finished();

@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "base/joined.hpp"
+#include "base/units.hpp"
 #include "emit/generate.hpp"
 #include "emit/languages/cpp/double_dialect.hpp"
 #include "emit/languages/cpp/groups.hpp"
@@ -24,16 +25,11 @@ namespace {
 
 // Below an indenter elements are moduli and viscosities of a half-space.
 const char* stiffness_unit(const Problem& problem) { return problem->indenter ? "Pa" : "N/m"; }
-const char* damping_unit(const Problem& problem) { return problem->indenter ? "Pa s" : "N s/m"; }
 
-std::string unit_of(const Member& member, const Problem& problem) {
-  if (member.comment == "spring") return fmt::format(", {}", stiffness_unit(problem));
-  if (member.comment == "damper") return fmt::format(", {}", damping_unit(problem));
-  static const std::map<std::string, std::string> units{
-      {"angular frequency", "rad/s"}, {"amplitude", "m"}, {"mean indentation", "m"},
-      {"mean normal force", "N"},     {"mass", "kg"},     {"relaxation time", "s"}};
-  const auto unit = units.find(member.comment);
-  return unit == units.end() ? "" : ", " + unit->second;
+/// What a parameter is, and its unit where it has one.
+std::string described(const Member& member) {
+  if (member.dimension == Dimension::none) return member.comment;
+  return member.comment + ", " + replaced(si_unit(member.dimension), ".", " ");
 }
 
 std::vector<Symbol> symbols(const Problem& problem) {
@@ -136,7 +132,7 @@ class Header {
     std::vector<std::pair<std::string, std::string>> members;
     for (const Member& member : parameters_.members())
       members.emplace_back(declaration(member.name, static_cast<std::size_t>(member.length)),
-                           member.comment + unit_of(member, problem_));
+                           described(member));
     return "struct QuantityParameters {\n" + member_lines(members) + "};\n";
   }
 

@@ -24,7 +24,8 @@ erfcx clock clock64 abort assert printf cuda nvcuda cooperative_groups thrust cu
 std::string cuda_range_function(const Evaluator& evaluator) {
   const Spelling spelling{"", "::fabs", "::sqrt", true, Zeros::out_of_range};
   return "THE_CALL bool in_range(const Parameters& p) {\n" +
-         statement(fmt::format("return {};", in_range(evaluator, spelling, " && ", "false"))) +
+         statement(
+             fmt::format("return {};", in_range(evaluator, spelling, " && ", "((void)p, false)"))) +
          "}\nTHE_CALL bool allowed(const Parameters& p) {\n" +
          allowed_body(evaluator.parameters, evaluator.velocity) + "}\n";
 }
