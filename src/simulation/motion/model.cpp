@@ -10,6 +10,7 @@
 #include "modes/beyond_doubles.hpp"
 #include "modes/body_modes.hpp"
 #include "modes/driven_modes.hpp"
+#include "modes/endless_times.hpp"
 #include "simulation/system/check.hpp"
 
 namespace vcrit::simulation {
@@ -161,12 +162,12 @@ Model::Model(const System& system) : effort(effort_of_state, system.effort) {
   const Relaxation plain = without_dimensions(path, system.omega, stiffness_unit);
   require_doubles(stiffness_unit > 0 && velocity_unit > 0 && in_doubles(plain) &&
                   all_in_doubles({stiffness_unit, force_unit, velocity_unit}));
-  contact = contact_modes(plain);
+  contact = contact_modes(path_without_endless_times(plain));
   if (moves) {
     const Relaxation form = without_dimensions(*system.drive, system.omega, stiffness_unit);
     const double mass = *system.mass * system.omega * (system.omega / stiffness_unit);
     require_doubles(in_doubles(form) && mass > 0 && std::isfinite(mass));
-    const PoleSum drive = stiffness_poles(form);
+    const PoleSum drive = stiffness_poles(without_endless_times(form));
     body = Body{mass, drive, dual(drive).at_rest};
     free_harmonic = simulation::free_harmonic(system);
   }

@@ -1,0 +1,16 @@
+// Branches whose times the modes of a motion cannot hold, in what they come to.
+#pragma once
+
+#include "stiffness/relaxation.hpp"
+
+namespace vcrit::simulation {
+
+/// The form, without dimensions and with times in radians, with springs in place of what relaxes in
+/// no cycle and dampers in place of what does so at once. Their stiffness at the oscillation and
+/// its harmonics differs by a share of 1e-100.
+Relaxation without_endless_times(const Relaxation& form);
+
+/// The same of the path of a force, |K(i)| = 1: without a damper that carries a share of 1e-100.
+Relaxation path_without_endless_times(const Relaxation& path);
+
+}  // namespace vcrit::simulation
