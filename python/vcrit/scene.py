@@ -278,8 +278,8 @@ class Scene:
         sought: "amplitude" or "frequency", of which the smallest is found at this `velocity` of the
         drive, or "velocity", of which the largest is. from_, to: the range to search. samples: how
         many values of it are tried, 400 or, below an indenter, 32. Numbers in SI or texts with a
-        unit, a ratio "80%" as well. Raises InputError, and ModelError where nothing in the range reaches the ratio: it
-        says why, and what would.
+        unit, a ratio "80%" as well. Raises InputError, and ModelError where nothing in the range
+        reaches the ratio: it says why, and what would.
         """
         return solution(self._handle, sought, friction_ratio, velocity, from_, to, samples)
 
