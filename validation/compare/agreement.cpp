@@ -191,14 +191,20 @@ std::optional<Effect> effect_for(const Problem& problem,
   }
 }
 
+/// The curve, and one cycle at half that speed; `ratio` is what the cycle's is of v*, 0 of none.
+void trace_with_cycle(SceneReport& report, const simulation::System& system, double drive_velocity,
+                      double ratio) {
+  trace_curve(report, system, drive_velocity);
+  report.cycle = steady_cycle(system, 0.5 * drive_velocity);
+  report.cycle->ratio = ratio;
+}
+
 /// Friction where v* has no digits left to compare, as with a drive that does not give at all: it
 /// may be simulated nevertheless.
 void trace_alone(SceneReport& report, const Witnesses& witnesses, double drive_velocity) {
   try {
     const simulation::System system = witnesses.system(report.problem);
-    trace_curve(report, system, drive_velocity);
-    report.cycle = steady_cycle(system, 0.5 * drive_velocity);
-    report.cycle->ratio = 0.5;
+    trace_with_cycle(report, system, drive_velocity, 0.5);
   } catch (const ModelError&) {
     report.curve.clear();  // so near a resonance that nothing is
   }
@@ -241,9 +247,7 @@ void simulate(SceneReport& report, const symbolic::Derivation& derivation,
         std::isfinite(finite) ? finite : unit_of_speed(report.problem) + report.creep_velocity;
     pending = velocity_comparison(report, "curve", "friction curve");
     progress("tracing the friction curve");
-    trace_curve(report, system, drive_velocity);
-    report.cycle = steady_cycle(system, 0.5 * drive_velocity);
-    report.cycle->ratio = std::isfinite(finite) ? 0.5 : 0;
+    trace_with_cycle(report, system, drive_velocity, std::isfinite(finite) ? 0.5 : 0);
     progress("simulating by other methods");
     report.methods = witnesses.curves(system, drive_velocity);
     report.reduced_model = reduced_model(report.problem);
