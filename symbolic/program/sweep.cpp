@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "critical/eq24.hpp"
+#include "program/quotient.hpp"
 #include "rules/kinds.hpp"
 
 namespace vcrit::symbolic {
@@ -93,7 +94,7 @@ class SweepWriter {
 
   void times_quotient(Velocity& v, const Stiffness& n, const Tangential& t) {
     v.above.push_back(passive(n.t, n.t_range));
-    v.below.push_back(passive(n.q, n.q_range));
+    divide_by(v.above, v.below, passive(n.q, n.q_range));
     v.below.push_back(passive(t.k.t, t.k.t_range));
     v.of_q_t = t.k;
   }
@@ -104,7 +105,7 @@ class SweepWriter {
     const Stiffness d = network(drive.network());
     const Factor body = loaded(d, problem_->mass);
     v.above.push_back(sum(t.k, d, body, problem_->mass));
-    if (t.normal) v.below.push_back(passive(t.normal->q, t.normal->q_range));
+    if (t.normal) divide_by(v.above, v.below, passive(t.normal->q, t.normal->q_range));
     v.below.push_back(body);
     v.of_q_t.reset();
   }

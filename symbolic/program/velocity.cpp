@@ -1,10 +1,12 @@
 #include "program/velocity.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "critical/eq24.hpp"
 #include "program/drive_tree.hpp"
 #include "program/measured_drive.hpp"
+#include "program/quotient.hpp"
 #include "rules/kinds.hpp"
 #include "rules/rulebook.hpp"
 
@@ -38,7 +40,8 @@ struct Tangential {
 /// Writes Eq. (24) down: an algebra of eq24.hpp.
 class VelocityWriter {
  public:
-  enum class Form { plain, normalised };
+  /// scaled: normalised, and so are the factors of v* whose product would leave the range.
+  enum class Form { plain, normalised, scaled };
 
   VelocityWriter(const Problem& problem, const SymbolValue& value, int exponent, Form form,
                  Zeros zeros)
@@ -115,8 +118,9 @@ class VelocityWriter {
   }
 
   static void times_quotient(Velocity& v, const Stiffness& n, const Tangential& t) {
+    divide_by(v.above, v.below, {n.q, n.q_range});
     v.above.insert(v.above.end(), {{n.t, n.t_range}, {t.k.q, t.k.q_range}});
-    v.below.insert(v.below.end(), {{n.q, n.q_range}, {t.k.t, t.k.t_range}});
+    v.below.push_back({t.k.t, t.k.t_range});
     v.quotient = {n, t.k};
   }
 
@@ -136,7 +140,7 @@ class VelocityWriter {
     check(t.t_range + d.q_range);
     check(t.q_range + body.range);
     v.above.back() = {whole.value, range};  // in the place of Q_t
-    if (tangential.more_of_q) v.below.push_back(*tangential.more_of_q);
+    if (tangential.more_of_q) divide_by(v.above, v.below, *tangential.more_of_q);
     v.below.push_back({body.value, body.range});
     v.drive_errors = with_drive_errors(t, d, body, whole);
   }
@@ -150,7 +154,7 @@ class VelocityWriter {
   DrivePair with_masses(const Network& drive) {
     PairWriter writer(program_, omega_, stiffness_, zeros_);
     const DrivePair pair = drive_pair(program_, writer, drive);
-    return form_ == Form::normalised ? writer.normalised(pair) : pair;
+    return form_ != Form::plain ? writer.normalised(pair) : pair;
   }
 
   void times_pair(Velocity& v, const Tangential& tangential, const DrivePair& drive) {
@@ -160,14 +164,14 @@ class VelocityWriter {
         balance_of(program_, stiffness_, drive, tangential.k, mass, omega_, zeros_);
     result_.fits = result_.fits && balance.fits;
     v.above.back() = {balance.n, balance.n_range};  // in the place of Q_t
-    if (tangential.more_of_q) v.below.push_back(*tangential.more_of_q);
+    if (tangential.more_of_q) divide_by(v.above, v.below, *tangential.more_of_q);
     v.below.push_back({balance.d, balance.d_range});
     v.drive_errors = balance.errors;
   }
 
   Stiffness network(const Network& network) {
     const Stiffness k = stiffness_.write(network);
-    return form_ == Form::normalised && !is_one(program_, k.q) ? stiffness_.normalised(k) : k;
+    return form_ != Form::plain && !is_one(program_, k.q) ? stiffness_.normalised(k) : k;
   }
 
   /// K_n and K_t: where they are 0, v* is none.
@@ -178,6 +182,10 @@ class VelocityWriter {
   }
 
   NodeId number(int value) { return program_.constant(value); }
+  NodeId number_of_exponent(double exponent) {
+    return program_.constant(
+        GiNaC::pow(GiNaC::numeric(2), GiNaC::numeric(static_cast<int>(exponent))));
+  }
   NodeId times(int count, NodeId bound) { return program_.multiply(number(count), bound); }
   NodeId one_and_a_half(NodeId bound) {
     return program_.multiply(program_.constant(GiNaC::numeric(3, 2)), bound);
@@ -266,23 +274,48 @@ class VelocityWriter {
 
   void check(ExponentRange range) { result_.fits = result_.fits && fits(range); }
 
-  /// The product of absolute values, or of their squares.
-  NodeId product(const std::vector<Factor>& factors, bool squared) {
-    NodeId whole = number(1);
-    ExponentRange range;
-    for (const auto& [z, of_one] : factors) {
-      const ExponentRange one = squared ? twice(of_one) : of_one;
-      range = range + one;
-      check(range);
-      check(one);
-      if (squared) {
-        whole = program_.multiply(whole, square(program_, z));
-        continue;
-      }
-      const bool is_real = program_.is_constant(z.im, 0);
-      whole = program_.multiply(whole, program_.magnitude(is_real ? z.re : z.im));
+  /// A product of absolute values, or of their squares.
+  struct Product {
+    NodeId value;
+    ExponentRange range = {};
+  };
+
+  ExponentRange range_of(const Factor& factor) const {
+    return result_.rooted ? twice(factor.range) : factor.range;
+  }
+
+  void multiply(Product& whole, const Factor& factor) {
+    const ComplexNode& z = factor.value;
+    const bool is_real = program_.is_constant(z.im, 0);
+    const NodeId one =
+        result_.rooted ? square(program_, z) : program_.magnitude(is_real ? z.re : z.im);
+    whole = {program_.multiply(whole.value, one), whole.range + range_of(factor)};
+    check(range_of(factor));
+    check(whole.range);
+  }
+
+  /// Brings the factor near 1 by a power of two, which it returns.
+  Factor scaled_by_unit(Factor& factor) {
+    // At a resonance the factor is 0: without the first term its unit would leave the range.
+    NodeId size = number_of_exponent(std::floor(factor.range.low) - 20);
+    for (const NodeId part : {factor.value.re, factor.value.im})
+      if (!program_.is_constant(part, 0)) size = program_.add(size, program_.magnitude(part));
+    const NodeId unit = program_.unit(size);
+    const ExponentRange range{-factor.range.high - 2, 1 - factor.range.low};
+    factor = {real_multiple(program_, unit, factor.value), {-1, 1}};
+    return {real(program_, unit), range};
+  }
+
+  void write_quotient(const Velocity& v) {
+    Product above{number(1)}, below{number(1)};
+    for (const Factor& factor : v.above) multiply(above, factor);
+    for (Factor factor : v.below) {
+      if (form_ == Form::scaled && !fits(below.range + range_of(factor)))
+        multiply(above, scaled_by_unit(factor));
+      multiply(below, factor);
     }
-    return whole;
+    result_.above = above.value;
+    result_.below = below.value;
   }
 
   void finish(const Velocity& v) {
@@ -293,8 +326,7 @@ class VelocityWriter {
     };
     result_.rooted = std::any_of(v.above.begin(), v.above.end(), has_both) ||
                      std::any_of(v.below.begin(), v.below.end(), has_both);
-    result_.above = product(v.above, result_.rooted);
-    result_.below = product(v.below, result_.rooted);
+    write_quotient(v);
     for (const char* name : {"mu0", "du_z", "omega"}) guard_factor({name});
     result_.factor =
         program_.multiply(program_.multiply(symbol({"mu0"}), omega_), symbol({"du_z"}));
@@ -333,17 +365,18 @@ class VelocityWriter {
 // none otherwise: it costs a tenth of the time.
 VelocityProgram velocity_program(const Problem& problem, const SymbolValue& value, Zeros zeros) {
   rules::require(rules::Question::evaluator, problem);
-  for (const int exponent : {200, 150, 100, 64, 40}) {
-    VelocityProgram program =
-        VelocityWriter(problem, value, exponent, VelocityWriter::Form::plain, zeros).write();
-    if (program.fits) return program;
-  }
-  for (const int exponent : {100, 64, 48, 40, 32}) {
-    VelocityProgram program =
-        VelocityWriter(problem, value, exponent, VelocityWriter::Form::normalised, zeros).write();
-    if (program.fits || exponent == 32) return program;
-  }
-  throw Bug("the last range is returned");
+  using Writer = VelocityWriter;
+  const std::vector<std::pair<Writer::Form, std::vector<int>>> forms{
+      {Writer::Form::plain, {200, 150, 100, 64, 40}},
+      {Writer::Form::normalised, {100, 64, 48, 40, 32}},
+      {Writer::Form::scaled, {100, 64, 48, 40, 32}}};
+  VelocityProgram program;
+  for (const auto& [form, exponents] : forms)
+    for (const int exponent : exponents) {
+      program = Writer(problem, value, exponent, form, zeros).write();
+      if (program.fits) return program;
+    }
+  return program;  // numbers folded in are too large
 }
 
 }  // namespace vcrit::symbolic

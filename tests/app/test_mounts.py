@@ -19,8 +19,8 @@ class Mounts(Case):
         given = {"normal": "kn | cn", "angular_frequency": 1e5, "amplitude": 1e-7, "indentation": 5e-7} | changed
         return self.write(f"[mount]\n{mount}\n{more}{scene(values, **given)}").name
 
-    def test_evaluators_without_a_plain_range_compile_without_warnings(self):
-        # So many factors that plain doubles hold no range of all of them: a parameter of a function had no use.
+    def of_many_factors(self):
+        """A graph under a mount of four branches: a scene's file, and its numbers."""
         elements = {"ka": 7e5, "kb": 5e5, "ca": 100.0, "cb": 30.0, "cc": 80.0, "kc": 8e5, "k0": 1.5e6, "kt": 3e6,
                     "k1": 1e6, "ct": 120.0, "kd": 9e6, "k": [1.3e6, 8.2e6, 8.3e6, 7e5],
                     "tau": [1.4e-6, 2.4e-5, 6.3e-5, 8.5e-7]}
@@ -29,16 +29,35 @@ class Mounts(Case):
         text = scene(elements, {"bridge": bridge}, normal="bridge", tangential="kt | (k1 - ct)", network="kd",
                      mass=4e-4, angular_frequency=3.6e5, amplitude=1e-7, indentation=5e-7)
         file = self.write(f'[mount]\nnetwork = "prony(k0, k, tau)"\nmass = "m"\n{text}').name
-        for language in ("c++", "c99", "cuda"):
-            self.out("generate", file, "--out", ".", "--name", "many", "--language", language)
-        layout = drivers.members((self.folder / "many.hpp").read_text())
-        values = {"mu0": 0.3, "omega": 3.6e5, "U": 1e-7, "m": 4e-4} | elements
-        row = [x for name, length in layout for x in (values[name] if length else [values[name]])]
+        return file, {"mu0": 0.3, "omega": 3.6e5, "U": 1e-7, "m": 4e-4} | elements
+
+    def bounds_of_evaluators(self, languages, file, values, *options):
+        """Of their values, which are those of eval."""
         expected = self.answer("eval", file)["critical_velocity"]
-        for language in ("c99", "cuda"):
-            (value, bound, *_), = drivers.answers(language, self.folder, [("many", layout)], [(0, row)])
-            self.assertLess(bound, 1.2e-16)
+        for language in ("c++", *languages):
+            self.out("generate", file, "--out", ".", "--name", "many", "--language", language, *options)
+        layout = drivers.members((self.folder / "many.hpp").read_text())
+        row = [x for name, length in layout for x in (values[name] if length else [values[name]])]
+        for language in languages:
+            (value, bound, fast, fast_bound, *_), = drivers.answers(language, self.folder, [("many", layout)], [(0, row)])
             self.assertLessEqual(abs(value / expected - 1), 2 * bound)
+            self.assertLessEqual(abs(fast / expected - 1), 2 * fast_bound)
+            yield bound, fast_bound
+
+    def test_evaluators_of_many_factors_have_bounds(self):
+        # A factor of v* stood above and below the line: no range of plain doubles held all of them.
+        for bound, fast_bound in self.bounds_of_evaluators(("c++", "python", "javascript"), *self.of_many_factors()):
+            self.assertLess(bound, 1.2e-16)
+            self.assertLess(fast_bound, 1e-12)
+
+    def test_evaluators_without_a_plain_range_compile_without_warnings(self):
+        # A number folded in that plain doubles have no range for: a parameter of a function has no use then.
+        file, values = self.of_many_factors()
+        text = self.folder.joinpath(file).read_text()
+        self.write(text.replace("kt = 3000000.0", "kt = 3e290"))
+        for bound, _ in self.bounds_of_evaluators(("c99", "cuda"), file, values, "--fix", "kt"):
+            self.assertIn("return false;", (self.folder / "many.hpp").read_text())
+            self.assertLess(bound, 1.2e-16)
 
     def test_eval_and_simulate_say_what_arrives_at_the_contact(self):
         scene = self.mounted('network = "km"\nmass = 2e-4')
