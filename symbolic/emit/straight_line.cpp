@@ -106,14 +106,26 @@ std::map<NodeId, int> StraightLine::uses_of(const std::set<NodeId>& needed) cons
   return uses;
 }
 
+/// Of what the results need, what the dialect writes. A name for the rest would have no use, and
+/// compilers warn of that.
+std::set<NodeId> StraightLine::written_for(const std::vector<NodeId>& results) const {
+  std::set<NodeId> written(results.begin(), results.end());
+  for (NodeId id = program_.nodes().size(); id-- > 0;) {
+    if (!written.contains(id)) continue;
+    const Node& node = program_[id];
+    for (std::size_t i = 0; i < arity(node.operation); ++i)
+      if (dialect_.reads(node, i)) written.insert(node.arguments[i]);
+  }
+  return written;
+}
+
 std::vector<StraightLine::Declarations> StraightLine::declare(const std::vector<NodeId>& results) {
-  const std::set<NodeId> needed = program_.needed_for(results);
-  const std::map<NodeId, int> uses = uses_of(needed);
+  const std::map<NodeId, int> uses = uses_of(program_.needed_for(results));
   const auto is_used_once = [&uses](NodeId id) { return !uses.contains(id) || uses.at(id) < 2; };
   std::vector<Declarations> declared;
   // No value depends on a bound.
   for (const bool bounds : {false, true})
-    for (const NodeId id : needed) {
+    for (const NodeId id : written_for(results)) {
       const Node& node = program_[id];
       if (arity(node.operation) == 0 || known_.contains(id) ||
           (node.kind == NodeKind::bound) != bounds || !is_computed(node))

@@ -25,6 +25,8 @@ class CodeDialect {
   virtual std::string parameter(const Symbol& symbol) const = 0;
   virtual Operand constant(const Node& node) const = 0;
   virtual Operand apply(const Node& node, const std::vector<Operand>& arguments) const = 0;
+  /// Whether what apply() writes contains this argument.
+  virtual bool reads(const Node& /*node*/, std::size_t /*argument*/) const { return true; }
   /// "const T name = " without the value; several of one kind may share a statement.
   virtual std::string type(NodeKind kind) const = 0;
 };
@@ -59,6 +61,7 @@ class StraightLine {
  private:
   Operand in_bound(NodeId id) const;
   std::map<NodeId, int> uses_of(const std::set<NodeId>& needed) const;
+  std::set<NodeId> written_for(const std::vector<NodeId>& results) const;
 
   const Program& program_;
   const CodeDialect& dialect_;

@@ -212,6 +212,20 @@ class OtherNames(program.Case):
                     for found in (value, fast, again, fast_again, batch, fast_batch):
                         self.assertAlmostEqual(found / expected, 1, delta=1e-14)
 
+    def test_a_library_of_a_long_name_compiles_without_warnings(self):
+        # Where a call with the name in it was long, C99 declared what edges of value 0 alone have a use for.
+        bridge, name = program.example("bridge"), "bridge_of_springs_and_dampers"
+        self.out("generate", bridge, "--out", ".", "--name", name)
+        layout = drivers.members((self.folder / f"{name}.hpp").read_text())
+        values = {"mu0": 0.2, "omega": 2.5e5, "du_z": 6e-8, "m": 3e-4, "k1": 2e7, "k2": 3e7, "k3": 2.5e7, "kd": 5e6,
+                  "c1": 12, "c2": 18, "cd": 2}
+        expected = json.loads(self.out("eval", bridge, "--json", "--set", "angular_frequency=2.5e5"))
+        row = [values[member] for member, _ in layout]
+        for language in ("c99", "cuda", "rust"):
+            self.out("generate", bridge, "--out", ".", "--name", name, "--language", language)
+            (value, *_), = drivers.answers(language, self.folder, [(name, layout)], [(0, row)])
+            self.assertAlmostEqual(value / expected["critical_velocity"], 1, delta=1e-14)
+
     def test_fixed_by_its_name(self):
         self.write(scene({"m": "M", "k1": "E"}))
         self.generate("f", "--fix", "M,E", "--set", "M=0.001", "--set", "E=3e6")

@@ -64,10 +64,16 @@ std::string CallDialect::rounded(const Operand& operand) const {
   return operand.kind == NodeKind::bound ? operand.text : operand.text + ".hi";
 }
 
+// Without zeros a gap and a tie are numbers, and of the rest the first argument is left.
+bool CallDialect::reads(const Node& node, std::size_t argument) const {
+  if (!is_for_zeros(node.operation) || knows_zeros()) return true;
+  return argument == 0 && node.operation != Operation::gap && node.operation != Operation::tie;
+}
+
 // What is there for zeros alone: where they are out of range, only wide numbers know it.
 Operand CallDialect::with_zeros(const Node& node, const Arguments& arguments) const {
   const auto [a, b, c] = std::tie(arguments[0], arguments[1], arguments.back());
-  const bool known = grade_ == CallGrade::wide || spelling_.zeros == Zeros::in_range;
+  const bool known = knows_zeros();
   const bool in_grade = node.kind == NodeKind::value || grade_ == CallGrade::wide;
   const bool plain = node.kind == NodeKind::exact || !in_grade;
   const auto operand = [&](const Operand& x) { return plain ? rounded(x) : number(x); };

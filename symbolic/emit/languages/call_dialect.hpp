@@ -28,6 +28,7 @@ class CallDialect : public CodeDialect {
   }
   Operand constant(const Node& node) const override;
   Operand apply(const Node& node, const std::vector<Operand>& arguments) const override;
+  bool reads(const Node& node, std::size_t argument) const override;
   std::string type(NodeKind kind) const override;
 
   /// An operand as a number or a bound of the grade, or rounded to a double.
@@ -38,6 +39,9 @@ class CallDialect : public CodeDialect {
  private:
   using Operation = Node::Operation;
   using Arguments = std::vector<Operand>;
+  bool knows_zeros() const {
+    return grade_ == CallGrade::wide || spelling_.zeros == Zeros::in_range;
+  }
   Operand with_zeros(const Node& node, const Arguments& arguments) const;
   Operand of_table(const Node& node, const Arguments& arguments) const;
   Operand in_doubles(const Node& node, const Arguments& arguments) const;
