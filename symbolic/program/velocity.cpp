@@ -297,23 +297,28 @@ class VelocityWriter {
   /// Brings the factor near 1 by a power of two, which it returns.
   Factor scaled_by_unit(Factor& factor) {
     // At a resonance the factor is 0: without the first term its unit would leave the range.
-    NodeId size = number_of_exponent(std::floor(factor.range.low) - 20);
+    const double least = std::floor(factor.range.low) - 2;
+    NodeId size = number_of_exponent(least);
     for (const NodeId part : {factor.value.re, factor.value.im})
       if (!program_.is_constant(part, 0)) size = program_.add(size, program_.magnitude(part));
     const NodeId unit = program_.unit(size);
-    const ExponentRange range{-factor.range.high - 2, 1 - factor.range.low};
+    const ExponentRange range{-factor.range.high - 2, -least};
     factor = {real_multiple(program_, unit, factor.value), {-1, 1}};
     return {real(program_, unit), range};
   }
 
+  /// Multiplies `whole`; of a factor with which that would leave the range, the power of two goes
+  /// to the other side of the line.
+  void multiply(Product& whole, Factor factor, Product& other) {
+    if (form_ == Form::scaled && !fits(whole.range + range_of(factor)))
+      multiply(other, scaled_by_unit(factor));
+    multiply(whole, factor);
+  }
+
   void write_quotient(const Velocity& v) {
     Product above{number(1)}, below{number(1)};
-    for (const Factor& factor : v.above) multiply(above, factor);
-    for (Factor factor : v.below) {
-      if (form_ == Form::scaled && !fits(below.range + range_of(factor)))
-        multiply(above, scaled_by_unit(factor));
-      multiply(below, factor);
-    }
+    for (const Factor& factor : v.above) multiply(above, factor, below);
+    for (const Factor& factor : v.below) multiply(below, factor, above);
     result_.above = above.value;
     result_.below = below.value;
   }
