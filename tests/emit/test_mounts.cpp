@@ -49,9 +49,9 @@ edges = [["prony(k0, k, tau, 1)", "a", "1"], ["c2", "a", "2"], ["k3", "1", "2"],
          ["c5", "2", "b"]]
 )toml";
 
-/// With and without mass, damped and not, isotropic and not, under a rigid drive and others. The last
-/// three have so many factors that T and Q are scaled. In the last two factors of v* are, too; in the
-/// last one only where the range holds zeros.
+/// With and without mass, damped and not, isotropic and not, under a rigid drive and others. The
+/// last three have so many factors that T and Q are scaled. In the last two factors of v* are, too;
+/// in the last one only where the range holds zeros.
 std::vector<Scene> mounts() {
   const std::string zener = "normal = \"k0 | (k1 - c1)\"\n";
   return {
