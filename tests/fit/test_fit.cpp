@@ -172,6 +172,27 @@ BOOST_AUTO_TEST_CASE(the_length_is_where_chance_takes_over) {
   }
 }
 
+// Two branches of neighbouring times, which some tables tell apart, some do not, and some leave in
+// doubt: the last one taken by chance in more than 1e-4, or one not taken in less than 5 %.
+BOOST_AUTO_TEST_CASE(a_length_that_noise_may_change_is_in_doubt) {
+  int too_long = 0, too_short = 0, sure = 0;
+  const Truth close{1e6, {{1e6, 1}, {1e6, 3}}};
+  for (const int rows : {4, 6, 8})
+    for (unsigned seed = 1; seed <= 8; ++seed) {
+      const Fit fit = fit::fitted(measured(close, 0.03, 10, rows, 0.01, seed));
+      bool longer = false, shorter = false;
+      for (const fit::Trial& trial : fit.trials) {
+        if (trial.taken) longer = *trial.chance > 1e-4, shorter = false;
+        if (!trial.taken && trial.chance) shorter |= *trial.chance < 0.05;
+      }
+      BOOST_TEST(fit.order_in_doubt == (longer || shorter), rows << " rows, seed " << seed);
+      too_long += longer && !shorter;
+      too_short += shorter && !longer;
+      sure += !longer && !shorter;
+    }
+  BOOST_TEST((too_long > 0 && too_short > 0 && sure > 0));
+}
+
 BOOST_AUTO_TEST_CASE(exact_data_that_no_series_matches_stop_at_the_most_branches) {
   fit::Options options;
   options.most_branches = 9;
@@ -248,6 +269,27 @@ BOOST_AUTO_TEST_CASE(dampers_are_found_unasked) {
       BOOST_TEST(std::abs(both.damper->value / (3 * size) - 1) < 1e-9);
       BOOST_TEST(std::abs(both.equilibrium->value / size - 1) < 1e-9);
     }
+}
+
+// A Zener body and a damper that one branch has to fit: the more noise there is, the less a damper
+// lowers the misfit. A third of it is asked for.
+BOOST_AUTO_TEST_CASE(a_damper_divides_the_misfit_by_three) {
+  const auto body = [](double omega) {
+    return 1.0 + 1i * omega / (1.0 + 1i * omega) + 0.03i * omega;
+  };
+  const fit::Options one{false, 1}, with_damper{true, 1};
+  const auto misfit = [](const Fit& fit) {
+    return std::sqrt(fit.sum_of_squares / fit.degrees_of_freedom);
+  };
+  for (const double noise : {0.01, 0.03, 0.04, 0.06}) {
+    const StiffnessTable data = measured(body, 0.1, 30, 30, noise, 1);
+    const Fit unasked = fit::fitted(data, one), damped = fit::fitted(data, with_damper);
+    BOOST_TEST(damped.damper.has_value());
+    BOOST_TEST(unasked.damper.has_value() == (noise < 0.035));
+    if (unasked.damper) continue;
+    BOOST_TEST(misfit(unasked) < 3 * misfit(damped));
+    BOOST_TEST(misfit(unasked) > 1.8 * misfit(damped));
+  }
 }
 
 // A loss that falls like 1/omega is the tail of a branch slower than the search allows.
