@@ -254,6 +254,32 @@ BOOST_AUTO_TEST_CASE(the_bound_on_work_ends_a_search) {
   BOOST_TEST(has(refusal(asked), "bound on the work for all steady states together"));
 }
 
+// Under 100 N the path creeps at 10 mm/s without a slip, since c v = 10 N is below mu0 times the
+// least normal force of 99 N: a third of mu0 W. So larger loads reach what smaller ones do not.
+BOOST_AUTO_TEST_CASE(a_path_that_creeps_has_no_largest_load) {
+  const test::SceneText text{.tangential = "maxwell(kt, ct)",
+                             .frequency = "20 kHz",
+                             .amplitude = "0.1 um",
+                             .force = "10 N",
+                             .coefficient = 0.3,
+                             .elements = {{"kn", 10e6}, {"kt", 8e6}, {"ct", 1000}}};
+  DesignQuestion asked{test::scene_of(text), Sought::force, 0.9, 0.01, {}, {}};
+  BOOST_TEST(has(refusal(asked), "give one with `to`"), refusal(asked));
+  asked.to = 100;
+  const DesignAnswer answer = design::solve(asked);
+  BOOST_TEST((answer.at_start && answer.value == 100));
+  BOOST_TEST(std::abs(answer.state.friction_ratio - 1.0 / 3) < 1e-12);
+  asked.to = 20;
+  BOOST_TEST(has(refusal(asked), "no searched load reaches"), refusal(asked));
+  BOOST_TEST(has(refusal(asked), "under larger ones the path creeps faster"), refusal(asked));
+  asked.velocity = 0.1;
+  BOOST_TEST(has(refusal(asked), "and so does a larger load"), refusal(asked));
+  // As the velocity vanishes friction does, too.
+  const std::string why = refusal({asked.problem, Sought::frequency, 0.1, 0.004, {}, {}});
+  BOOST_TEST(has(why, "no frequency reaches a friction ratio of 0.1"), why);
+  BOOST_TEST(!has(why, "as the velocity vanishes it tends to"), why);
+}
+
 // Where the contact opens, speeds are sought below the simulated v*, which may lie above Eq. (24)
 // or below: bisections on an independent simulator.
 BOOST_AUTO_TEST_CASE(speeds_of_a_contact_that_opens) {
