@@ -292,6 +292,19 @@ BOOST_AUTO_TEST_CASE(a_damper_divides_the_misfit_by_three) {
   }
 }
 
+// A branch at the end of the range fits such a loss as well, to the noise, and is no better known:
+// a damper is taken then, however little it lowers the misfit.
+BOOST_AUTO_TEST_CASE(a_damper_is_taken_for_a_tail) {
+  for (const auto& [damper, noise] : {std::pair(0.3, 0.003), {0.3, 0.01}, {3.0, 0.01}, {3.0, 0.03}})
+    for (const unsigned seed : {1U, 2U}) {
+      const double c = damper;
+      const auto kelvin = [c](double omega) { return 1.0 + 1i * c * omega; };
+      const Fit fit = fit::fitted(measured(kelvin, 0.01, 1, 20, noise, seed));
+      BOOST_TEST(fit.branches.empty(), damper << " " << noise << " " << seed);
+      BOOST_TEST(fit.damper.has_value());
+    }
+}
+
 // A loss that falls like 1/omega is the tail of a branch slower than the search allows.
 BOOST_AUTO_TEST_CASE(the_tail_of_a_loss_is_kept) {
   const Truth slow{1e6, {{1e5, 100}}};
@@ -316,6 +329,12 @@ BOOST_AUTO_TEST_CASE(noise_below_zero_is_fitted_and_more_is_refused) {
   StiffnessTable few = measured(three, 1, 1e7, 3, 0, 1);
   few.rows[1].loss = -0.2 * few.rows[1].storage;
   BOOST_CHECK_THROW(fit::fitted(few), InputError);
+  // Of exact rows four thousandths are the phase that no measurement resolves.
+  StiffnessTable exact = measured([](double) { return 1.0 + 0i; }, 1, 32, 6, 0, 1);
+  exact.rows[3].loss = -0.0038;
+  BOOST_TEST(fit::fitted(exact).branches.empty());
+  exact.rows[3].loss = -0.0042;
+  BOOST_CHECK_THROW(fit::fitted(exact), InputError);
   // The other sign of i: all losses negative.
   StiffnessTable conjugate = measured(Truth{1e6, {{5e4, 1e-2}}}, 10, 1000, 6, 0.001, 1);
   for (StiffnessRow& row : conjugate.rows) row.loss = -row.loss;
