@@ -108,6 +108,9 @@ BOOST_AUTO_TEST_CASE(a_slow_drive_creeps_alone) {
     check(spring, share * unit, share * 0.3 * least);
     check(held("cd", {{"cd", 1.3}}), share * unit, share * 0.3 * least);
   }
+  // Faster, all cells slide in each period, and the body creeps by less than the drive goes.
+  const Friction faster = friction(spring, 3 * unit);
+  BOOST_TEST(faster.ratio * 0.3 * faster.normal_force < 0.95 * 3 * 0.3 * least);
   BOOST_TEST(friction(spring, 2 * rim_threshold(spring).drive_velocity).ratio == 1);
   const HalfSpace still = held("k1 - c1", {{"k1", 0.7}, {"c1", 1.3}}, 0);
   const double whole = 4.0 / 3 * modulus;
