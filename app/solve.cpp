@@ -12,6 +12,8 @@
 #include "base/rounded.hpp"
 #include "base/units.hpp"
 #include "commands.hpp"
+#include "critical/admissibility.hpp"
+#include "design/opening.hpp"
 #include "options.hpp"
 #include "problem/variants.hpp"
 #include "record/fields.hpp"
@@ -122,9 +124,12 @@ std::string solved_words(const DesignQuestion& question, const DesignAnswer& ans
     case Sought::frequency:
       return fmt::format("From a frequency of {}, the friction ratio at {} is {} or less.", value,
                          speed, ratio);
-    case Sought::force:
-      return fmt::format("Up to a load of {}, the friction ratio at {} is {} or less.", value,
-                         speed, ratio);
+    case Sought::force: {
+      // On a path that creeps smaller loads may have more friction.
+      const bool creeps = creep_velocity(design::with_load(question.problem, answer.value)) > 0;
+      return fmt::format("{} a load of {}, the friction ratio at {} is {} or less.",
+                         creeps ? "At" : "Up to", value, speed, ratio);
+    }
     case Sought::velocity:
       return fmt::format("Up to {} the friction ratio is {} or less.", value, ratio);
   }

@@ -58,6 +58,10 @@ std::string outside(const Effect& effect, int digits) {
 
 std::string without_effect(const Effect& effect, int digits) {
   if (!(effect.friction_coefficient > 0)) return "There is no friction that vibration could lower.";
+  if (!(effect.amplitude > 0) && effect.creeps())
+    return fmt::format(
+        "Without vibration friction is full above a drive speed of {}; below it the path creeps.",
+        speed(effect, effect.drive_velocity, digits));
   if (!(effect.amplitude > 0)) return "Without vibration friction is full at every speed.";
   return fmt::format(
       "At {} vibration cannot lower friction: the contact point stands still (antiresonance).",

@@ -155,7 +155,8 @@ std::string ratio_over_frequencies(const Failure& f) {
                   f.question.friction_ratio, speed_words(f.question), least_found(f));
   if (!f.least) return text;
   const double omega = two_pi * f.least_at;
-  if (!below_indenter(f)) {
+  const Problem there = with_angular_frequency(f.question.problem, omega);
+  if (!below_indenter(f) && !(creep_velocity(there) > 0)) {
     const double limit =
         1 - f.contact.oscillating_part(*f.question.problem->amplitude.value, omega);
     text += fmt::format(
@@ -164,7 +165,7 @@ std::string ratio_over_frequencies(const Failure& f) {
         rounded(limit, ""));
   }
   try {
-    const DesignAnswer answer = solve({with_angular_frequency(f.question.problem, omega),
+    const DesignAnswer answer = solve({there,
                                        Sought::amplitude,
                                        f.question.friction_ratio,
                                        f.question.velocity,
@@ -214,25 +215,35 @@ std::string ratio_over_velocities(const Failure& f) {
 }
 
 // v* does not depend on the load, the creep of the path is in proportion to it.
+bool creeps_under_load(const Failure& f) {
+  return creep_velocity(with_load(f.question.problem, f.range.to)) > 0;
+}
+
 std::string too_fast_for_forces(const Failure& f) {
+  const bool creeps = creeps_under_load(f);
   if (finds_each_onset(f.question.problem))
     return fmt::format(
         "at {} friction stays full at every searched load ({}). It takes a lower velocity, or a "
-        "larger amplitude",
-        speed_words(f.question), searched(f));
+        "larger amplitude{}",
+        speed_words(f.question), searched(f), creeps ? " or load" : "");
   const auto [speed, limit] = rounded_apart(f.question.velocity, f.range.largest_velocity, "m/s");
   return fmt::format(
-      "at {} friction stays full at every load: at {} it is reduced up to {} only. A larger "
-      "amplitude raises that speed, another load does not",
-      speed, rounded(f.range.to, "N"), limit);
+      "at {} friction stays full at every {}load: at {} it is reduced up to {} only. A larger "
+      "amplitude raises that speed, {}",
+      speed, creeps ? "searched " : "", rounded(f.range.to, "N"), limit,
+      creeps ? "and so does a larger load, under which the path creeps faster"
+             : "another load does not");
 }
 
 std::string ratio_over_forces(const Failure& f) {
+  const bool creeps = creeps_under_load(f);
   return fmt::format(
-      "no load reaches a friction ratio of {} at {}: {}. Smaller loads than {} open the contact",
-      f.question.friction_ratio, speed_words(f.question), least_found(f),
+      "no {}load reaches a friction ratio of {} at {}: {}. Smaller loads than {} open the "
+      "contact{}",
+      creeps ? "searched " : "", f.question.friction_ratio, speed_words(f.question), least_found(f),
       rounded_up(f.contact.least_force(*f.question.problem->amplitude.value, omega_of(f.question)),
-                 "N"));
+                 "N"),
+      creeps ? "; under larger ones the path creeps faster, and friction falls towards 0" : "");
 }
 
 std::string too_fast_for_velocities(const Failure& f) {

@@ -180,7 +180,13 @@ SearchRange forces(const DesignQuestion& question, const NormalContact& contact)
                     0};
   require_si_doubles(range.from > 0);
   refuse_empty(question, range.from, range.to);
-  range.largest_velocity = reduced_up_to(with_load(question.problem, range.to));
+  const Problem last = with_load(question.problem, range.to);
+  if (!question.to && creep_velocity(last) > 0)
+    throw ModelError(
+        "the path creeps: under a load that is large enough it does so at any speed without a "
+        "slip, and friction falls towards 0, so that the search has no upper end: give one with "
+        "`to`");
+  range.largest_velocity = reduced_up_to(last);
   range.largest_at = range.to;
   if (question.velocity < range.largest_velocity || finds_each_onset(question.problem))
     range.rows.push_back(even_ratios(range.to, range.from, samples_of(question)));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "critical/admissibility.hpp"
 #include "design/places.hpp"
 #include "indenter/friction.hpp"
 #include "indenter/half_space.hpp"
@@ -45,11 +46,13 @@ void add_frequency_rows(const DesignQuestion& question, SearchRange& range) {
 }
 
 // Friction never falls with the speed: decades down to where it is low enough, and one search
-// between two of them. On a compliant drive slow states take long.
+// between two of them. On a compliant drive slow states take long. One that creeps carries ever
+// less.
 void add_velocity_rows(const DesignQuestion& question, SearchRange& range) {
   range.monotonic = true;
   const indenter::HalfSpace half_space(question.problem);
-  if (!half_space.holder() || !half_space.holder()->rings()) {
+  const auto& holder = half_space.holder();
+  if (!holder || !(holder->rings() || creep_velocity(question.problem) > 0)) {
     const indenter::Pressed pressed = indenter::pressed(question.problem);
     range.at_rest = pressed.least / pressed.mean;
     if (question.friction_ratio < *range.at_rest) return;

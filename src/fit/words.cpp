@@ -76,7 +76,9 @@ std::vector<std::string> in_words(const StiffnessTable& data, const Fit& fit) {
       words.push_back(fmt::format("the branch at {} is poorly known: {}, {} (95 %)",
                                   rounded(tau.value, "s"), in_numbers(interval_of(k), "N/m"),
                                   in_numbers(interval_of(tau), "s")));
-  if (data.rows.size() < 2 * fit.branches.size())
+  const std::size_t numbers =
+      2 * fit.branches.size() + (fit.equilibrium ? 1 : 0) + (fit.damper ? 1 : 0);
+  if (data.rows.size() < numbers)
     words.emplace_back("there are more numbers in the series than frequencies in the data");
   words.insert(words.end(), data.notes.begin(), data.notes.end());
   return words;

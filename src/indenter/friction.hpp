@@ -49,7 +49,8 @@ struct Pressed {
 };
 
 /// least/mean is the limit of the friction ratio as the speed vanishes, unless the body rings
-/// meanwhile. Throws as a HalfSpace does, and ModelError where no normal force of a cell is found.
+/// meanwhile or the drive creeps. Throws as a HalfSpace does, and ModelError where no normal force
+/// of a cell is found.
 Pressed pressed(const Problem& problem);
 
 /// One point for each velocity, in their order. What is the same at all of them is found once.

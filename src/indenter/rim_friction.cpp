@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
@@ -228,6 +229,35 @@ class Held {
   SharedEffort* effort_;
 };
 
+/// Of a drive that carries nothing at rest, N s/m; 0 of another.
+double damping_at_rest(const Relaxation& drive) {
+  if (drive.equilibrium > 0) return 0;
+  double sum = drive.damper;
+  for (const MaxwellBranch& branch : drive.branches) sum += branch.stiffness * branch.time;
+  return sum;
+}
+
+// Cells that are closed at all times carry the least that they ever do, and stick, as long as the
+// drive's dampers take less: it creeps as fast as it is moved. The others carry nothing.
+FrictionOfSpeed creeping_below(const HalfSpace& half_space, double normal_force,
+                               FrictionOfSpeed faster) {
+  const double damping = damping_at_rest(half_space.holder()->drive);
+  if (damping == 0) return faster;
+  const double least = half_space.friction() * half_space.least_force(),
+               all = half_space.friction() * normal_force;
+  return [=, faster = std::move(faster)](double velocity) {
+    const double carried = damping * velocity;
+    if (!(carried <= least)) return faster(velocity);
+    Friction result;
+    result.ratio = carried / all;
+    result.error = force_rounding_error;
+    result.normal_force = normal_force;
+    result.normal_force_error = force_rounding_error * normal_force;
+    result.regime = simulation::Regime::stick;
+    return result;
+  };
+}
+
 /// Without an oscillation.
 Friction without_oscillation(const HalfSpace& half_space) {
   Friction result;
@@ -273,7 +303,7 @@ FrictionOfSpeed cells_friction(const HalfSpace& half_space, double tolerance) {
     levels.push_back(std::make_shared<const HeldCells>(half_space, held->contact(), held->holder(),
                                                        times * cells, times * steps));
   const double force = held->sliding(coarse)->mean_force() * held->contact().force_unit();
-  return [=, whole = half_space.effort()](double velocity) {
+  FrictionOfSpeed faster = [=, whole = half_space.effort()](double velocity) {
     const double speed = velocity / held->contact().speed_unit();
     Friction result;
     result.normal_force = force;
@@ -295,19 +325,22 @@ FrictionOfSpeed cells_friction(const HalfSpace& half_space, double tolerance) {
     result.regime = motions.regime();
     return result;
   };
+  return creeping_below(half_space, force, std::move(faster));
 }
 
 }  // namespace
 
 FrictionOfSpeed rim_friction(const HalfSpace& half_space, double tolerance) {
-  if (!(half_space.amplitude() > 0))
-    return [found = without_oscillation(half_space)](double) { return found; };
+  if (!(half_space.amplitude() > 0)) {
+    const Friction found = without_oscillation(half_space);
+    return creeping_below(half_space, found.normal_force, [found](double) { return found; });
+  }
   if (!half_space.elastic()) return cells_friction(half_space, tolerance);
   const double rough = std::max(tolerance, coarse), fine = rough / finer;
   const auto held = std::make_shared<const Held>(half_space, fine_force);
   if (held->resonant()) throw ModelError(rings);
   const std::shared_ptr<const Sliding> sliding = held->sliding(fine);
-  return [=, largest = sliding->largest()](double velocity) {
+  FrictionOfSpeed faster = [=, largest = sliding->largest()](double velocity) {
     const double speed = velocity / held->contact().speed_unit();
     Friction result;
     Motions motions{true, false, false};
@@ -328,10 +361,19 @@ FrictionOfSpeed rim_friction(const HalfSpace& half_space, double tolerance) {
     result.regime = motions.regime();
     return result;
   };
+  return creeping_below(half_space, sliding->mean_force() * held->contact().force_unit(),
+                        std::move(faster));
 }
 
 simulation::Onset rim_threshold(const HalfSpace& half_space) {
-  if (!(half_space.amplitude() > 0)) return {};
+  if (!(half_space.amplitude() > 0)) {
+    simulation::Onset still;
+    const double damping = damping_at_rest(half_space.holder()->drive);
+    if (damping > 0)
+      still.drive_velocity =
+          half_space.friction() * half_space.static_force(half_space.indentation()) / damping;
+    return still;
+  }
   return threshold_of(half_space, Held(half_space, fine_force));
 }
 

@@ -126,9 +126,13 @@ double RimMotion::behind(const Moment& now, const StateVector& state, double stu
   if (holder_.mass > 0) return state(0);
   const double friction = now.force - state(lack_);
   if (holder_.damper > 0) return (friction - holding_force(state)) / holder_.damper;
+  // Of the first spring, which relaxes where all do: the drive then creeps.
+  const double given = friction - (holding_force(state) - state(spring_));
   double relaxing = 0;
-  for (std::size_t j = 0; j < holder_.branches.size(); ++j)
-    relaxing += state(branches_ + static_cast<Eigen::Index>(j)) / holder_.branches[j].time;
+  for (std::size_t j = 0; j < holder_.branches.size(); ++j) {
+    const Eigen::Index i = branches_ + static_cast<Eigen::Index>(j);
+    relaxing += (i == spring_ ? given : state(i)) / holder_.branches[j].time;
+  }
   const double slides =
       always_slides_ ? now.force_rate : direction() * (now.stiffness - stuck) * now.depth_rate;
   return (stuck * velocity_ + slides + relaxing) / (holder_.glassy() + stuck);

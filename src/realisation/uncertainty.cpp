@@ -95,10 +95,7 @@ double Uncertainty::misfit_beside(double omega) const {
 
 // A mode at omega with phi^2 = 1, less what the structure's own parameters take of it: its size in
 // the rows bounds phi^2, at three standard deviations. Above the rows it is a compliance to them,
-// of which there is no more than the structure has. A mode at omega with phi^2 = 1, less what the
-// structure's own parameters take of it: its size in the rows bounds phi^2, at three standard
-// deviations. Above the rows it is a compliance to them, of which there is no more than the
-// structure has.
+// of which there is no more than the structure has.
 Uncertainty::Hidden Uncertainty::hidden_at(double omega) const {
   const Mode mode{omega, hidden_damping, 1};
   const Index count = rows_.size();

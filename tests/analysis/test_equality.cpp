@@ -102,6 +102,18 @@ BOOST_AUTO_TEST_CASE(parallel_and_chain_form_of_one_rheology) {
   BOOST_TEST(different.counterexample->first != different.counterexample->second);
 }
 
+// |1 + i omega c| with c = 1e-3 hardly differs from 1 where omega is small: what is shown is where
+// it clearly does.
+BOOST_AUTO_TEST_CASE(a_counterexample_shows_a_clear_difference) {
+  const auto under = [](const char* normal, const std::string& values) {
+    return test::scene_of("normal = \"" + std::string(normal) + "\"\ntangential = \"kt\"", "", "",
+                          "[elements]\nkn = 1\nkt = 2\n" + values);
+  };
+  const Equality found = compare(under("kn | cn", "cn = 1e-3\n"), under("kn", ""));
+  BOOST_REQUIRE(found.counterexample.has_value());
+  BOOST_TEST(found.counterexample->difference >= 1e-3);
+}
+
 BOOST_AUTO_TEST_CASE(a_counterexample_is_one) {
   const Scene a = with_normal("k0 | (k1 - c1)"), b = with_normal("k1 | (k0 - c1)");
   const Equality found = compare(a, b);

@@ -237,6 +237,18 @@ BOOST_AUTO_TEST_CASE(several_swings_lower_the_border_further) {
   BOOST_TEST(light.sliding_from == light.contact_velocity * std::cos(std::numbers::pi / 6));
 }
 
+// K_d = k1 (k2 - m1 n^2)/(k1 + k2 - m1 n^2) = (1 + d)/d where m1 n^2 = 2 + d: a million springs,
+// and a condition number of 2^20 compared with that, leave ten digits.
+BOOST_AUTO_TEST_CASE(a_drive_close_to_its_own_resonance_swings_freely_too) {
+  const double d = 0x1p-20, body = (1 + d) / d;
+  const auto swings = [&](double mass) {
+    return closed_onset("k1 - (mass(m1) | k2)", mass, {{"k1", 1}, {"k2", 1}, {"m1", (2 + d) / 4}})
+        .free_harmonics;
+  };
+  BOOST_TEST(swings(body / 4) == std::vector{2});
+  BOOST_TEST(swings(body / 4 * 1.001).empty());
+}
+
 // An absorber for each pole between the squares of 2, 3, ..., N, at which all is free: K_d - m n^2
 // = -m prod(n^2 - zero)/prod(n^2 - pole), whose residues are the absorbers' k pole.
 CriticalOnset free_up_to(int harmonics) {

@@ -110,6 +110,9 @@ BOOST_AUTO_TEST_CASE(a_path_that_creeps_has_a_drive_speed) {
   BOOST_TEST(
       sentence(effect) ==
       "Vibration lowers friction below a drive speed of 7.815 mm/s; 75 µm/s of it is creep.");
+  BOOST_TEST(sentence(effect_of(read_scene(VCRIT_SCENES "/burgers.toml", {{"amplitude", "0"}}))) ==
+             "Without vibration friction is full above a drive speed of 75 µm/s; below it the path "
+             "creeps.");
 }
 
 BOOST_AUTO_TEST_CASE(a_contact_that_opens_has_no_friction_at_rest) {

@@ -74,6 +74,29 @@ class Solve(Case):
                 self.assertEqual((result.returncode, result.stdout), (3, ""))
                 self.assertIn(words, result.stderr)
 
+    # Under 100 N the path creeps at 10 mm/s without a slip, under 10 N it slides.
+    def test_a_path_that_creeps_has_no_largest_load(self):
+        scene = self.write("""[contact]
+normal = "kn"
+tangential = "kt - ct"
+[load]
+force = "10 N"
+[oscillation]
+frequency = "20 kHz"
+amplitude = "0.1 um"
+[friction]
+coefficient = 0.3
+[elements]
+kn = "10 N/um"
+kt = "8 N/um"
+ct = "1 kN.s/m"
+""")
+        command = ["solve", scene, "--for", "force", "--friction-ratio", "0.9", "--velocity", "10 mm/s",
+                   "--samples", "3"]
+        self.refused(3, command, "the path creeps", "give one with --to")
+        self.assertTrue(self.out(*command, "--to", "100 N").startswith(
+            "At a load of 100 N, the friction ratio at 10 mm/s is 0.9 or less."))
+
     # A rigid drive has no mass and no drive, in no text.
     def test_what_a_scene_does_not_have_is_not_told(self):
         for question in [["--for", "velocity"], ["--for", "amplitude", "--velocity", "0.2"]]:

@@ -33,6 +33,19 @@ std::vector<int> drawn(std::mt19937& random, int most) {
   return {some.begin(), some.end()};
 }
 
+// A lower bound of the maximum of cos t and these swings, by nothing but their sum.
+double highest_of_a_grid(const std::vector<int>& harmonics, const std::vector<double>& swings) {
+  double highest = -1;
+  for (int i = 0; i <= 2000; ++i) {
+    const double t = pi * i / 2000;
+    double sum = std::cos(t);
+    for (std::size_t j = 0; j < harmonics.size(); ++j)
+      sum += swings[j] * std::cos(harmonics[j] * t);
+    highest = std::max(highest, sum);
+  }
+  return highest;
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(work_is_bounded) {
@@ -93,6 +106,7 @@ BOOST_AUTO_TEST_CASE(more_harmonics_never_raise_it) {
     const std::vector<int> all = drawn(random, 20);
     const LeastMaximum together = *least_maximum(all);
     BOOST_TEST(together.upper - together.lower <= width);
+    BOOST_TEST(highest_of_a_grid(all, together.swings) <= together.upper + 8 * epsilon);
     for (const int n : all) {
       std::vector<int> fewer = all;
       std::erase(fewer, n);

@@ -141,6 +141,41 @@ BOOST_AUTO_TEST_CASE(resonance_is_infinite_with_its_reason) {
   BOOST_TEST(velocity.reason.find("resonance") != std::string::npos);
 }
 
+// p/(1 + p) + q/(1 + q) is 1 where p q = 1, and q here has the dual branches of p: the innermost
+// element is the spring x of p and y = 1/x of q. Twice the y changes K_d by 2^-15000 of itself, so
+// that v* is no double but finite. (By whole numbers.)
+BOOST_AUTO_TEST_CASE(a_drive_of_many_springs_is_resonant_only_where_it_is_exactly) {
+  const auto at = [](double y) {
+    constexpr double large = 0x1p1000, small = 0x1p-1000;
+    const Scene scene =
+        test::scene_of({.tangential = "kt",
+                        .network = "k1 - (k2 | k3 - (k4 | k5 - (k6 | k7 - (k8 | k9 - kx))))"
+                                   " | k1 - (k2 - (k4 | k3 - (k6 | k5 - (k8 | k7 - (kl | ky)))))",
+                        .mass = 1,
+                        .angular_frequency = 1,
+                        .elements = {{"kn", 3},
+                                     {"kt", 4},
+                                     {"k1", 1},
+                                     {"k2", 1},
+                                     {"k3", small},
+                                     {"k4", large},
+                                     {"k5", small},
+                                     {"k6", large},
+                                     {"k7", small},
+                                     {"k8", large},
+                                     {"k9", small},
+                                     {"kx", large},
+                                     {"kl", large},
+                                     {"ky", y}}});
+    return certified_critical_velocity(scene);
+  };
+  const CertifiedVelocity resonant = at(0x1p-1000), near = at(0x1p-999);
+  BOOST_TEST((std::isinf(resonant.value) && resonant.relative_error_bound == 0));
+  BOOST_TEST(resonant.reason == "resonance: K_d = m omega^2, so that v* is infinite");
+  BOOST_TEST((std::isinf(near.value) && std::isinf(near.relative_error_bound)));
+  BOOST_TEST(near.reason == "v* is above the largest double");
+}
+
 BOOST_AUTO_TEST_CASE(antiresonance_is_zero) {
   const CertifiedVelocity velocity =
       certified_critical_velocity(undamped_drive(3));  // 4 + 8 - 3 * 2^2

@@ -41,6 +41,20 @@ BOOST_AUTO_TEST_CASE(known_by_hand) {
                     (9.00000095367431640625 * root + 12) / 5.00000095367431640625));
 }
 
+// Under a mount K_m of 9, and a mass of the mount whose m omega^2 is 4, counted three times:
+// |K_m|/|K_m + K_n - m omega^2| adds root and the parts of 9 + 3 - 4.
+BOOST_AUTO_TEST_CASE(a_mount_counts) {
+  const auto mounted = [](test::Toml mass) {
+    const Scene scene = test::scene_of({.tangential = "kt",
+                                        .mount = "km",
+                                        .mount_mass = mass,
+                                        .elements = {{"kn", 3}, {"kt", 5}, {"km", 9}}});
+    return condition_number(scene, resolve(scene).values());
+  };
+  BOOST_TEST(is(mounted({}), 3 + 3 * root + root));
+  BOOST_TEST(is(mounted(1), 3 + 3 * root + (12 * root + 12) / 8));
+}
+
 // Halfway between two rows: R = 0.15 m/N. The shares of the rows count by omega/(3 - 1) |R_2 - R_1|
 // = 0.1, the rows themselves by 0.15 and three roundings by 0.45: 0.7, times 5/(1 + 5 R).
 BOOST_AUTO_TEST_CASE(rows_of_a_measured_drive_count) {

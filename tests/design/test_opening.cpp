@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "critical/admissibility.hpp"
+#include "design/range.hpp"
+#include "support/refusal.hpp"
 #include "support/scene_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_opening)
@@ -63,6 +65,41 @@ BOOST_AUTO_TEST_CASE(a_contact_without_load_is_outside_the_model) {
   BOOST_CHECK_THROW(NormalContact(test::scene_of(text)), ModelError);
   text.elements.pop_back();
   BOOST_CHECK_THROW(NormalContact(test::scene_of(test::symbolic(text))), InputError);
+}
+
+// Springs: du_z kn = 0.3 N opens the contact, and 0.3/(1 - 0.9) N is the load of which the limit at
+// rest is 0.9.
+BOOST_AUTO_TEST_CASE(loads_are_searched_from_where_the_contact_opens) {
+  const Problem problem = test::scene_of(
+      {.tangential = "kt", .amplitude = 0.1, .force = 1, .elements = {{"kn", 3}, {"kt", 4}}});
+  const design::SearchRange range =
+      design::range_of({problem, design::Sought::force, 0.9, 0.01, {}, {}}, NormalContact(problem));
+  BOOST_TEST(std::abs(range.from * 0.999999 / 0.3 - 1) < 1e-14);
+  BOOST_TEST(std::abs(range.to / (2 * 0.3 / 0.1) - 1) < 1e-14);
+}
+
+// In resonance v* is infinite; speeds begin at 1e-9 of mu0 du_z kn omega (1/kt + 1/(kd + m
+// omega^2)).
+BOOST_AUTO_TEST_CASE(speeds_in_resonance_begin_at_those_out_of_it) {
+  const Problem problem = test::scene_of({.tangential = "kt",
+                                          .network = "kd",
+                                          .mass = 2,
+                                          .angular_frequency = 1,
+                                          .elements = {{"kn", 3}, {"kt", 4}, {"kd", 2}}});
+  const design::DesignQuestion asked{problem, design::Sought::velocity, 0.9, 0, {}, 10};
+  const design::SearchRange range = design::range_of(asked, NormalContact(problem));
+  BOOST_TEST(std::abs(range.from / (1e-9 * 0.5 * 0.1 * 3 * (0.25 + 0.25)) - 1) < 1e-14);
+  BOOST_TEST(range.to == 10);
+}
+
+// kelvin.toml opens from sqrt(8) k/c = 1.414e6 rad/s on.
+BOOST_AUTO_TEST_CASE(a_range_in_which_the_contact_opens_is_refused) {
+  const Problem problem = scene("kelvin.toml");
+  const std::string why = test::refusal<ModelError>([&] {
+    design::range_of({problem, design::Sought::frequency, 0.9, 0.001, 300e3, 400e3},
+                     NormalContact(problem));
+  });
+  BOOST_TEST(test::has(why, "the contact opens at all frequencies from 225.1 kHz on"), why);
 }
 
 }  // namespace

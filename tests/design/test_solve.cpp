@@ -153,6 +153,13 @@ BOOST_AUTO_TEST_CASE(no_smaller_frequency_reaches_it_at_a_resonance) {
   }
 }
 
+// 0.1 um of 0.3 um: sqrt(1 + (omega c/k)^2) = 3 (52), omega = sqrt(8) 10 MN/m/(20 N s/m).
+BOOST_AUTO_TEST_CASE(a_kelvin_contact_opens_above_a_frequency) {
+  const DesignAnswer answer = design::solve(question("kelvin.toml", Sought::velocity, 0.9));
+  BOOST_TEST_REQUIRE(answer.largest_frequency.has_value());
+  BOOST_TEST(std::abs(*answer.largest_frequency / (std::sqrt(8.0) * 10e6 / 20 / turn) - 1) < 1e-13);
+}
+
 BOOST_AUTO_TEST_CASE(an_amplitude_that_is_too_small_for_any_speed_is_explained) {
   // The static limit 1 - 0.1/0.3; for 0.5 the amplitude must be above 0.15 um.
   const std::string why = refusal(question("elastic.toml", Sought::velocity, 0.5));
@@ -196,6 +203,10 @@ BOOST_AUTO_TEST_CASE(frequencies_that_do_not_suffice_are_explained) {
   const std::string fast = refusal(question("elastic.toml", Sought::frequency, 0.8, 10));
   BOOST_TEST(has(fast, "every searched frequency from 200 Hz to 2 MHz"), fast);
   BOOST_TEST(has(fast, "457.8 mm/s"), fast);  // (31) at 2 MHz
+  // 0.1 um x 10/0.4578 and 0.1 um x 1/0.4578, of 0.3 um.
+  BOOST_TEST(has(fast, "an amplitude above 2.185 µm there, which opens the contact"), fast);
+  const std::string less = refusal(question("elastic.toml", Sought::frequency, 0.8, 1));
+  BOOST_TEST(less.ends_with("or an amplitude above 0.2185 µm there"), less);
   const std::string small = refusal(question("elastic.toml", Sought::frequency, 0.5, 0.01));
   BOOST_TEST(has(small, "tends to 0.6667"), small);
   BOOST_TEST(has(small, "an amplitude of 0.15"), small);
@@ -252,6 +263,60 @@ BOOST_AUTO_TEST_CASE(the_bound_on_work_ends_a_search) {
   DesignQuestion asked = question("bridge.toml", Sought::velocity, 0.9);
   asked.effort = 2000;
   BOOST_TEST(has(refusal(asked), "bound on the work for all steady states together"));
+}
+
+// Under 100 N the path creeps at 10 mm/s without a slip, since c v = 10 N is below mu0 times the
+// least normal force of 99 N: a third of mu0 W. So larger loads reach what smaller ones do not.
+BOOST_AUTO_TEST_CASE(a_path_that_creeps_has_no_largest_load) {
+  const test::SceneText text{.tangential = "maxwell(kt, ct)",
+                             .frequency = "20 kHz",
+                             .amplitude = "0.1 um",
+                             .force = "10 N",
+                             .coefficient = 0.3,
+                             .elements = {{"kn", 10e6}, {"kt", 8e6}, {"ct", 1000}}};
+  DesignQuestion asked{test::scene_of(text), Sought::force, 0.9, 0.01, {}, {}};
+  BOOST_TEST(has(refusal(asked), "give one with `to`"), refusal(asked));
+  asked.to = 100;
+  const DesignAnswer answer = design::solve(asked);
+  BOOST_TEST((answer.at_start && answer.value == 100));
+  BOOST_TEST(std::abs(answer.state.friction_ratio - 1.0 / 3) < 1e-12);
+  asked.to = 20;
+  BOOST_TEST(has(refusal(asked), "no searched load reaches"), refusal(asked));
+  BOOST_TEST(has(refusal(asked), "under larger ones the path creeps faster"), refusal(asked));
+  asked.velocity = 0.1;
+  BOOST_TEST(has(refusal(asked), "and so does a larger load"), refusal(asked));
+  // As the velocity vanishes friction does, too.
+  const std::string why = refusal({asked.problem, Sought::frequency, 0.1, 0.004, {}, {}});
+  BOOST_TEST(has(why, "no frequency reaches a friction ratio of 0.1"), why);
+  BOOST_TEST(!has(why, "as the velocity vanishes it tends to"), why);
+}
+
+// v* grows with the amplitude, the creep of 3 mm/s does not: at 4 mm/s friction is reduced as soon
+// as v* is above 1 mm/s, which a search that forgets the creep begins four times later.
+BOOST_AUTO_TEST_CASE(the_creep_counts_where_a_search_begins) {
+  const Problem problem = test::scene_of({.tangential = "maxwell(kt, ct)",
+                                          .frequency = "20 kHz",
+                                          .amplitude = "0.1 um",
+                                          .force = "10 N",
+                                          .coefficient = 0.3,
+                                          .elements = {{"kn", 10e6}, {"kt", 8e6}, {"ct", 1000}}});
+  const double critical =
+      design::solve({problem, Sought::velocity, 0.99, 0, {}, {}}).critical_velocity;
+  const DesignAnswer amplitude = design::solve({problem, Sought::amplitude, 0.99, 0.004, {}, {}});
+  BOOST_TEST(!amplitude.at_start);
+  BOOST_TEST(amplitude.value < 0.1e-6 * 0.004 / critical);
+  const DesignAnswer frequency = design::solve({problem, Sought::frequency, 0.99, 0.004, {}, {}});
+  BOOST_TEST(!frequency.at_start);
+  BOOST_TEST(frequency.value < 20e3 * 0.004 / critical);
+  const auto reaches = [&](const char* name, double value) {
+    return ratio_of(problem.with({{{name}, value}}), 0.004) <= 0.99;
+  };
+  BOOST_TEST((reaches("du_z", amplitude.value) && !reaches("du_z", 0.99 * amplitude.value)));
+  BOOST_TEST(reaches("omega", turn * frequency.value));
+  BOOST_TEST(!reaches("omega", 0.99 * turn * frequency.value));
+  // At 2 MHz v* is 0.47124 m/s: 0.1 um (1 - 0.003)/0.47124.
+  const std::string fast = refusal({problem, Sought::frequency, 0.99, 1, {}, {}});
+  BOOST_TEST(fast.ends_with("or an amplitude above 0.2116 µm there"), fast);
 }
 
 // Where the contact opens, speeds are sought below the simulated v*, which may lie above Eq. (24)

@@ -133,6 +133,16 @@ BOOST_AUTO_TEST_CASE(so_it_is_of_cells_in_steps_of_time) {
   check({problem, Sought::amplitude, wanted, velocity, 0.4, 0.6, 3}, 0.5);
 }
 
+// A drive that creeps carries less and less as it slows down, c v: any ratio is reached.
+BOOST_AUTO_TEST_CASE(a_drive_that_creeps_has_a_speed_for_every_ratio) {
+  SceneText text = tip(parabola, true);
+  text.network = "damper(cd)";
+  text.elements.emplace_back("cd", 4);
+  const DesignAnswer answer =
+      design::solve({test::scene_of(text), Sought::velocity, 0.01, 0, {}, {}});
+  BOOST_TEST(answer.value == 0.01 * 0.3 / 4, boost::test_tools::tolerance(1e-10));
+}
+
 // One contact of springs: mu_macro/mu0 = 1 - (du_z/u_z0) G(v/v*), v* = mu0 omega du_z/kappa; 20
 // digits of G(1/2) and G(1/4) by an independent computation.
 BOOST_AUTO_TEST_CASE(a_flat_punch_has_the_closed_form) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "design/opening.hpp"
 #include "design/solve.hpp"
 #include "support/refusal.hpp"
 #include "support/scene_text.hpp"
@@ -66,6 +67,15 @@ BOOST_AUTO_TEST_CASE(an_elastic_contact_has_the_frequency_of_the_closed_form) {
       BOOST_TEST(std::abs(turn * answer.value / omega - 1) < 2e-13 / (1 - vbar));
       BOOST_TEST(!answer.largest_frequency.has_value());
     }
+}
+
+// (4): the force of the height that is left below the mount.
+BOOST_AUTO_TEST_CASE(the_least_load_is_what_the_mount_leaves_of_the_amplitude) {
+  const Machine machine{0.2};
+  const design::NormalContact contact(machine.problem());
+  for (const double omega : {0.7, 2.1, 5.0})
+    BOOST_TEST(std::abs(contact.least_force(0.2, omega) / (kn * machine.height(omega)) - 1) <
+               1e-14);
 }
 
 // Between 1.7 and 3.2 the contact would open. From within that range on, the first frequency at

@@ -221,6 +221,12 @@ BOOST_AUTO_TEST_CASE(an_interval_holds_what_digits_leave_open) {
     BOOST_TEST(at.storage_interval.high >= at.storage + 0.05);
     BOOST_TEST(at.loss_interval.high >= at.loss + 0.005);
   }
+  // Of two rows the coarser one counts, on either side.
+  data.rows[1].storage_step = 0.3;
+  for (const KnownStiffness& at : fit::known_stiffness(data, fit, {2, 3, 5})) {
+    BOOST_TEST(at.storage_interval.low <= at.storage - 0.15);
+    BOOST_TEST(at.storage_interval.high >= at.storage + 0.15);
+  }
 }
 
 // Three rows decades apart, of K_0 (1 + (i f/f_0)^a) with 0.24 % of noise that five numbers fit to

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 
+#include "base/errors.hpp"
 #include "fit/deviates.hpp"
 #include "fit/fit.hpp"
 
@@ -168,6 +169,22 @@ BOOST_AUTO_TEST_CASE(a_mean_loss_is_judged_by_student) {
   BOOST_TEST(std::abs(fit::chance_of_mean(data, 1) / chance - 1) < 1e-10);
   BOOST_TEST(fit::chance_of_mean(data, -1) == 1);
   BOOST_TEST(fit::shows_loss(data));
+}
+
+// Springs of 1 with losses a, -a, a, -a, 0 and a sixth below 0. The other 11 numbers scatter by the
+// root of 4 a^2/9, which Student's 2.262157 for 9 degrees instead of 1.959964 widens: four of
+// these, 3.0778 a, may be below 0.
+BOOST_AUTO_TEST_CASE(a_negative_loss_is_judged_by_the_noise_beside_it) {
+  const double a = 0.005;
+  const auto with_sixth = [a](double loss) {
+    StiffnessTable data{"made", {}, false};
+    double omega = 1;
+    for (const double each : {a, -a, a, -a, 0.0, loss})
+      data.rows.push_back({omega *= 2, std::sqrt(1 - each * each), each, 0, 0});
+    return data;
+  };
+  BOOST_TEST(fit::fitted(with_sixth(-3.05 * a)).branches.empty());
+  BOOST_CHECK_THROW(fit::fitted(with_sixth(-3.11 * a)), InputError);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// What is asked for beside the table (order, static compliance), and that any table comes to an end.
+// What is asked for beside the table (order, static compliance), and that any table comes to an
+// end.
 #include "realisation/realisation.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -70,9 +71,18 @@ BOOST_AUTO_TEST_CASE(the_same_response_in_all_rows_is_a_spring) {
 
 BOOST_AUTO_TEST_CASE(an_order_is_kept) {
   const Receptance table = table_of(chain("C-three-01"), 8, 0);
-  BOOST_TEST(Realisation(with_order(table, 1)).pairs() == 1);
+  const Realisation free(table), one(with_order(table, 1));
+  BOOST_TEST(one.pairs() == 1);
   BOOST_TEST(Realisation(with_order(table, 4)).pairs() == 4);
-  BOOST_TEST(Realisation(with_order(table, 1)).misfit() > 100 * Realisation(table).misfit());
+  BOOST_TEST(one.misfit() > 100 * free.misfit());
+  // docs/simulation.md: eight times where the rows are no such structure's.
+  BOOST_TEST(free.caution() == 1);
+  BOOST_TEST(one.caution() == 8);
+  for (const Realisation* found : {&free, &one}) {
+    const Deviation part = found->deviation(2);
+    const double sum = part.misfit + 2 * part.rivals + 4 * part.noise + part.hidden;
+    BOOST_TEST(std::abs(found->error(2) / (found->caution() * sum) - 1) < 1e-14);
+  }
   BOOST_TEST(refused([&] { Realisation(with_order(table_with(3, 1, 0), 5)); }, "order = 5"));
 }
 

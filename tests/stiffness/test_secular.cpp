@@ -65,4 +65,15 @@ BOOST_AUTO_TEST_CASE(three_roots_between_two_poles) {
   }
 }
 
+// (x - r)((x - q)^2 + s^2)/((x - 1)(x - 2)) rises about q, but has only the root r there, at its
+// right or left: slope 1, constant r + 2 q - 3, and the residues as weights, all of them exact.
+BOOST_AUTO_TEST_CASE(one_root_where_f_rises_between_two_poles) {
+  for (const auto& [r, q] : {std::pair(1.875, 1.375), std::pair(1.125, 1.625)}) {
+    const auto numerator = [r, q](double x) { return (x - r) * ((x - q) * (x - q) + 0x1p-6); };
+    const auto roots = positive_roots({1, r + 2 * q - 3, {1, 2}, {-numerator(1), numerator(2)}});
+    BOOST_TEST_REQUIRE(roots.size() == 1U);
+    BOOST_TEST(std::abs(roots[0].value() - r) <= 40 * u);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -35,6 +35,78 @@ std::string message(const Sweep& sweep) {
   return test::refusal([&] { swept(sweep); });
 }
 
+BOOST_AUTO_TEST_CASE(columns_have_units) {
+  const Problem problem = read_scene(VCRIT_SCENES "/zener.toml");
+  const std::vector<std::pair<std::string, std::string>> units{
+      {"critical_velocity", "m/s"},  {"friction_ratio", "1"},
+      {"friction_ratio_error", "1"}, {"regime", "1"},
+      {"admissible", "1"},           {"indentation", "m"},
+      {"mean_normal_force", "N"},    {"contact_amplitude", "m"},
+      {"sensitivity:k0", "1"}};
+  BOOST_TEST(swept_quantity_names().size() == units.size());
+  for (const auto& [name, expected] : units)
+    BOOST_TEST(unit(parse_swept_quantity(name, problem)) == expected, name);
+}
+
+// W = 6 N on a spring of 3 N/m below a mount of 9 N/m, of which a contact of 3 N/m leaves 9/12.
+BOOST_AUTO_TEST_CASE(what_presses_the_contact_is_swept) {
+  Sweep sweep{test::scene_of({.tangential = "kt",
+                              .mount = "km",
+                              .amplitude = 0.1,
+                              .force = 6,
+                              .elements = {{"kn", 3}, {"kt", 4}, {"km", 9}}}),
+              {},
+              {},
+              {},
+              {}};
+  sweep.axes.push_back(parse_axis("force=lin:6:12:2", sweep.problem));
+  for (const char* name : {"indentation", "mean_normal_force", "contact_amplitude"})
+    sweep.quantities.push_back(parse_swept_quantity(name, sweep.problem));
+  const std::vector<double> expected{6, 2, 6, 0.075, 12, 4, 12, 0.075}, found = swept(sweep).values;
+  BOOST_TEST_REQUIRE(found.size() == expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    BOOST_TEST(std::abs(found[i] / expected[i] - 1) < 1e-14, i);
+}
+
+// The same contact opens where 3/4 of the vibrator's amplitude is 2 m, and has nothing to tell
+// then.
+BOOST_AUTO_TEST_CASE(below_a_mount_the_height_that_is_left_decides) {
+  Sweep sweep{test::scene_of({.tangential = "kt",
+                              .mount = "km",
+                              .force = 6,
+                              .elements = {{"kn", 3}, {"kt", 4}, {"km", 9}}}),
+              {},
+              {},
+              {},
+              {}};
+  sweep.axes.push_back(parse_axis("amplitude=lin:2.5:2.7:2", sweep.problem));
+  for (const char* name : {"admissible", "contact_amplitude", "sensitivity:kn"})
+    sweep.quantities.push_back(parse_swept_quantity(name, sweep.problem));
+  const std::vector<double> found = swept(sweep).values;
+  BOOST_TEST_REQUIRE(found.size() == 8U);
+  BOOST_TEST(found[1] == 1);
+  BOOST_TEST(std::abs(found[2] / (0.75 * 2.5) - 1) < 1e-14);
+  BOOST_TEST(std::abs(found[3] / 0.75 - 1) < 1e-13);  // of kn km/(kn + km)
+  BOOST_TEST(found[5] == 0);
+  BOOST_TEST((std::isnan(found[6]) && std::isnan(found[7])));
+}
+
+// Springs behind a damper sink at W/c.
+BOOST_AUTO_TEST_CASE(a_contact_that_sinks_has_no_mean_indentation) {
+  Sweep sweep{test::scene_of({.normal = "k - c",
+                              .tangential = "kt",
+                              .force = 6,
+                              .elements = {{"k", 3}, {"c", 2}, {"kt", 4}}}),
+              {},
+              {},
+              {},
+              {}};
+  sweep.axes.push_back(parse_axis("force=lin:6:12:2", sweep.problem));
+  sweep.quantities.push_back(parse_swept_quantity("indentation", sweep.problem));
+  const std::vector<double> found = swept(sweep).values;
+  BOOST_TEST((std::isnan(found[1]) && std::isnan(found[3])));
+}
+
 BOOST_AUTO_TEST_CASE(rows_are_single_calls_in_row_major_order) {
   const Sweep sweep = sweep_over(
       "zener.toml",

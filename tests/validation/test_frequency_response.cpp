@@ -122,6 +122,17 @@ BOOST_AUTO_TEST_CASE(the_formula_applies_where_the_contact_stays_closed) {
   for (const ResponsePoint& point : of(spring, 0.6).points) BOOST_TEST(point.applies);
 }
 
+// Where du_z is u_z0 the contact opens, also where |K_n| = 2/3 is a double below that.
+BOOST_AUTO_TEST_CASE(the_formula_does_not_apply_to_an_amplitude_of_the_whole_indentation) {
+  const Scene scene = test::scene_of({.normal = "k1 - k2",
+                                      .tangential_ratio = 0.8,
+                                      .amplitude = 0.5,
+                                      .indentation = 0.5,
+                                      .elements = {{"k1", 1}, {"k2", 2}}});
+  for (const ResponsePoint& point : frequency_response(symbolic::derive(scene)).points)
+    BOOST_TEST(!point.applies);
+}
+
 BOOST_AUTO_TEST_CASE(a_rigid_scene_has_no_drive_and_no_resonance) {
   const auto response = frequency_response(symbolic::derive(rigid()));
   BOOST_TEST(response.marks.empty());

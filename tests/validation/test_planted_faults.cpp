@@ -5,6 +5,7 @@
 #include <complex>
 #include <cstdlib>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -109,6 +110,20 @@ BOOST_AUTO_TEST_CASE(without_a_fault_nothing_is_red) {
   const SceneReport report = heard(own_witnesses());
   BOOST_TEST(passed(report));
   BOOST_TEST(!has(scene_page({report, {}}, example::origin()), "Do not use these numbers"));
+  // No more than what doubles lose: 32 roundings times the condition number, or the simulator's
+  // promise; the last stick has its own error, below that.
+  constexpr double u = 0x1p-53, promise = 1e-9;
+  const double in_doubles = 32 * u * report.condition;
+  BOOST_TEST(report.condition < 100);
+  const std::map<std::string, double> allowed{
+      {"formula", in_doubles},        {"derived", u * (2 + report.condition)},
+      {"generated", in_doubles},      {"generated_batch", in_doubles},
+      {"generated_fast", in_doubles}, {"generated_certified", 4 * u},
+      {"balance", promise},           {"simulation", 2 * promise},
+      {"evaluators", 2 * promise},    {"marched", 1e-3},
+      {"starts", 2 * promise}};
+  for (const Comparison& comparison : report.comparisons)
+    BOOST_TEST(comparison.tolerance <= allowed.at(comparison.key), comparison.key);
 }
 
 BOOST_AUTO_TEST_CASE(a_flipped_sign_in_the_formula_is_red) {

@@ -251,6 +251,23 @@ BOOST_AUTO_TEST_CASE(a_faint_loss_of_any_network_is_known_by_what_it_takes) {
   }
 }
 
+// Of a drive with masses the distance of a pole is that of a frequency: half of its stiffness's.
+BOOST_AUTO_TEST_CASE(a_drive_with_masses_is_as_near_a_harmonic_as_one_of_springs) {
+  for (const double share : {-1.1e-5, -9e-6, 9e-6, 1.1e-5}) {
+    const auto harmonic = [share](const char* drive, double mass) {
+      return nearly_free_harmonic(
+          system_of(test::scene_of({.tangential = "kt",
+                                    .network = drive,
+                                    .mass = mass,
+                                    .angular_frequency = 1,
+                                    .elements = {{"kn", 3}, {"kt", 2}, {"kd", 9 * (1 + share)}},
+                                    .more = "ma = 0.25\n"})));
+    };
+    BOOST_TEST(harmonic("kd", 1) == (std::abs(share) < 1e-5 ? 3 : 0), share);
+    BOOST_TEST(harmonic("kd | mass(ma)", 0.75) == harmonic("kd", 1), share);
+  }
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE_END()
