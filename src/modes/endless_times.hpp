@@ -13,4 +13,8 @@ Relaxation without_endless_times(const Relaxation& form);
 /// The same of the path of a force, |K(i)| = 1: without a damper that carries a share of 1e-100.
 Relaxation path_without_endless_times(const Relaxation& path);
 
+/// The same of a contact's normal network, in any unit of force, but with all that is slow: a
+/// spring in its place would carry some of the mean load.
+Relaxation normal_without_shortest_times(const Relaxation& normal);
+
 }  // namespace vcrit::simulation

@@ -21,9 +21,10 @@ double until(double phase, double t) {
 
 }  // namespace
 
-Opening::Opening(const NormalMotion& motion, double omega, SharedEffort* whole)
-    : jumps(motion.network.damper > 0) {
+Opening::Opening(const NormalMotion& motion, double omega, SharedEffort* whole) {
   const ContactModes network = modes_of(motion, omega);
+  jumps = network.damper > 0;
+  answers_at_once = simulation::answers_at_once(motion, omega);
   const NormalCycle cycle = normal_cycle(network, {motion.mean, motion.amplitude}, whole);
   if (cycle.touches.empty()) throw ModelError("the contact never closes: there is no friction");
   mean_force = cycle.mean;

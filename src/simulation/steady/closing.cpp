@@ -172,6 +172,25 @@ void check_settles(const Model& model) {
         "less than a rounding error: where that settles is lost in rounding");
 }
 
+void lost_at_closings() {
+  throw ModelError(
+      "a damper of the contact is so weak, or a Maxwell branch so fast, that the speed of the "
+      "contact point where the contact closes is lost in rounding",
+      "leave out what relaxes within a part in 1e12 of a period");
+}
+
+double parts_of_bound(const Opening& opening) {
+  double force = 1 + opening.amplitude;
+  for (const Opening::Touch& touch : opening.touches) force += sum_of_sizes(touch.decaying);
+  return force;
+}
+
+// The jump is of the size of the damper, as the path's stiffness is 1.
+void check_closings(const Model& model) {
+  if (!model.opening || !model.opening->jumps || model.contact.damper == 0) return;
+  if (!(4 * epsilon * parts_of_bound(*model.opening) < model.contact.damper)) lost_at_closings();
+}
+
 // A body that passes through rest is as uncertain as it is half a swing later.
 Vector slip_rounding(const Model& model, const State& start) {
   State state = start;

@@ -99,7 +99,7 @@ std::string why_infinite(ForwardSliding::Ends ends) {
 Onset sliding_threshold(const System& system) {
   const Model model(system);
   // Also of a contact that hardly opens, so that rounding hides it.
-  if (!model.opening && system.opening && system.opening->network.damper > 0 &&
+  if (!model.opening && system.opening && modes_of(*system.opening, system.omega).damper > 0 &&
       model.contact.damper == 0)
     return {infinity, infinity, why_infinite(ForwardSliding::Ends::sticks_at_closings)};
   if (model.opening) {

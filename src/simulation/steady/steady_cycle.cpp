@@ -32,6 +32,7 @@ constexpr double most_without_stick = 1e-2;
 
 void check_reach(const Model& model) {
   check_settles(model);
+  check_closings(model);
   if (lost_in_resonance(model))
     throw ModelError(
         model.resonance < infinity

@@ -9,6 +9,7 @@
 #include "simulation/steady/energy.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
+#include "support/refusal.hpp"
 #include "support/table.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_separation)
@@ -165,6 +166,35 @@ BOOST_AUTO_TEST_CASE(goes_over_into_contact) {
     const double touching = steady_state(never, velocity).friction_ratio;
     // The forces differ by less than 4e-9 of their mean.
     BOOST_TEST(std::abs(open - touching) <= 1e-8);
+  }
+}
+
+// What relaxes in c of a radian changes friction by some c: the ratio is that of the spring, or
+// none where rounding hides the force with which a direct damper lets the contact close.
+BOOST_AUTO_TEST_CASE(dampers_that_vanish) {
+  const double velocity = 0.4;
+  const SteadyState spring = steady_state(elastic(0.5, 1), velocity);
+  for (int decade = -8; decade >= -300; decade -= 2) {
+    const double c = std::pow(10, decade);
+    const auto compared = [&](const Relaxation& network) {
+      System system = elastic(0.5, 1);
+      system.contact = network;
+      system.opening->network = network;
+      const SteadyState found = steady_state(system, velocity);
+      BOOST_TEST(std::abs(found.friction_ratio - spring.friction_ratio) <=
+                     found.friction_ratio_error + spring.friction_ratio_error + 4 * c,
+                 decade);
+    };
+    compared({1, 0, {{0.5, c}}});
+    if (decade >= -12 || decade < -100)
+      compared({1, c, {}});
+    else if (decade < -15)
+      BOOST_TEST(test::refused<ModelError>(
+                     [&] {
+                       compared({1, c, {}});
+                     },
+                     "damper of the contact"),
+                 decade);
   }
 }
 
