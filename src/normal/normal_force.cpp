@@ -25,9 +25,10 @@ double wrapped(double t) {
 }
 
 bool answers_at_once(const NormalMotion& motion, double omega) {
-  const Relaxation moving = normal_without_shortest_times(in_radians(motion.network, omega));
-  return moving.branches.size() < motion.network.branches.size() ||
-         (moving.damper == 0 && motion.network.damper > 0);
+  const Relaxation given = in_radians(motion.network, omega);
+  const Relaxation moving = normal_without_shortest_times(given);
+  return (moving.damper == 0 && given.damper > 0) ||
+         std::any_of(given.branches.begin(), given.branches.end(), relaxes_at_once);
 }
 
 ContactModes modes_of(const NormalMotion& motion, double omega) {

@@ -160,9 +160,13 @@ Vector rounding(const Model& model, double velocity, const State& start) {
   return rounding_of(model, state_size(model, velocity, start));
 }
 
+// Slow branches tell by their integrals how far a period is from closed.
 void check_settles(const Model& model) {
-  if (!model.body || model.body->fluidity == 0 || model.slow_branches > 0 || model.body->masses)
-    return;
+  if (model.slow_branches == 0) check_cycles_settle(model);
+}
+
+void check_cycles_settle(const Model& model) {
+  if (!model.body || model.body->fluidity == 0 || model.body->masses) return;
   const PoleSum& drive = model.body->drive;
   double hold = drive.direct;
   for (Index j = 0; j < drive.rates.size(); ++j) hold += drive.weights[j] / drive.rates[j];

@@ -37,6 +37,10 @@ Vector slip_rounding(const Model& model, const State& start);
 /// velocity in a period: where that settles, nothing tells.
 void check_settles(const Model& model);
 
+/// The same also of a drive with slow branches, where every velocity of the body seems to close a
+/// cycle: friction has an error that tells of it, whether a cycle sticks has none.
+void check_cycles_settle(const Model& model);
+
 /// Throws ModelError where the normal force jumps as the contact closes, by so weak a damper that
 /// rounding hides the jump: the damper of the contact's path makes a velocity of it.
 void check_closings(const Model& model);

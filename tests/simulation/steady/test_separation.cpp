@@ -169,6 +169,42 @@ BOOST_AUTO_TEST_CASE(goes_over_into_contact) {
   }
 }
 
+// The mean force falls with the spring that carries it: friction was 2.07 where nothing is left of
+// it.
+BOOST_AUTO_TEST_CASE(a_mean_force_that_is_lost_is_told) {
+  int answered = 0;
+  for (int decade = 0; decade >= -300; decade -= 4) {
+    System system = elastic(0.5, 1);
+    system.contact = {std::pow(10, decade), 0, {{0.5, 1}}};
+    system.opening->network = system.contact;
+    try {
+      const SteadyState found =
+          steady_state(system, 0.5 * sliding_threshold(system).drive_velocity);
+      BOOST_TEST(found.friction_ratio <= 1 + found.friction_ratio_error, decade);
+      BOOST_TEST(found.friction_ratio_error < 0.3, decade);
+      ++answered;
+    } catch (const ModelError& error) {
+      BOOST_TEST(decade < -18, decade);
+      BOOST_TEST(test::has(error.what(), "lost in rounding"));
+    }
+  }
+  BOOST_TEST(answered >= 5);
+}
+
+// A branch whose force is nothing beside the spring's closes and opens nothing.
+BOOST_AUTO_TEST_CASE(weak_branches_are_left_out) {
+  const double velocity = 0.4;
+  const SteadyState spring = steady_state(elastic(0.5, 1), velocity);
+  for (const double stiffness : {1e-20, 1e-80, 1e-120, 1e-155, 1e-250}) {
+    System system = elastic(0.5, 1);
+    system.contact = system.opening->network = {1, 0, {{stiffness, 1}}};
+    const SteadyState found = steady_state(system, velocity);
+    BOOST_TEST(std::abs(found.friction_ratio - spring.friction_ratio) <=
+                   found.friction_ratio_error + spring.friction_ratio_error,
+               stiffness);
+  }
+}
+
 // What relaxes in c of a radian changes friction by some c: the ratio is that of the spring, or
 // none where rounding hides the force with which a direct damper lets the contact close.
 BOOST_AUTO_TEST_CASE(dampers_that_vanish) {
