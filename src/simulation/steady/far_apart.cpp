@@ -35,16 +35,7 @@ List<PartSize> sizes(const Model& model) {
 
 }  // namespace
 
-void no_motion_found(const Model& model, double velocity, const ModelError& last) {
-  // Cycles close within a thousand roundings of the swing, of which so slow a drive moves less.
-  constexpr double slowest = 1e4 * epsilon;
-  const double share = velocity / std::abs(model.sliding_velocity);
-  if (model.creep == 0 && share < slowest)
-    throw ModelError(
-        fmt::format("no steady state found: the drive is so slow, {:.1g} of the contact's velocity "
-                    "in steady sliding, that rounding hides how far it moves in a period",
-                    share),
-        "take a higher speed: so far below v* friction is hardly above its limit at rest");
+void no_motion_found(const Model& model, const ModelError& last) {
   const auto all = sizes(model);
   const auto [least, most] =
       std::minmax_element(all.begin(), all.end(),
@@ -56,6 +47,19 @@ void no_motion_found(const Model& model, double velocity, const ModelError& last
                   "hides what it does",
                   least->of, orders, most->of),
       "leave out what does not matter, or give values fewer orders of magnitude apart");
+}
+
+void no_motion_found(const Model& model, double velocity, const ModelError& last) {
+  // Cycles close within a thousand roundings of the swing, of which so slow a drive moves less.
+  constexpr double slowest = 1e4 * epsilon;
+  const double share = velocity / std::abs(model.sliding_velocity);
+  if (model.creep == 0 && share < slowest)
+    throw ModelError(
+        fmt::format("no steady state found: the drive is so slow, {:.1g} of the contact's velocity "
+                    "in steady sliding, that rounding hides how far it moves in a period",
+                    share),
+        "take a higher speed: so far below v* friction is hardly above its limit at rest");
+  no_motion_found(model, last);
 }
 
 }  // namespace vcrit::simulation

@@ -8,6 +8,7 @@
 #include "base/errors.hpp"
 #include "modes/highest.hpp"
 #include "simulation/steady/closing.hpp"
+#include "simulation/steady/far_apart.hpp"
 #include "simulation/steady/steady_cycle.hpp"
 
 namespace vcrit::simulation {
@@ -121,9 +122,7 @@ double least_velocity(const Model& model, const Trace::Part& part) {
   return highest(backward, part.duration);
 }
 
-}  // namespace
-
-ForwardSliding forward_sliding(const Model& model) {
+ForwardSliding sliding_without_stick(const Model& model) {
   using Ends = ForwardSliding::Ends;
   if (model.opening->answers_at_once) lost_at_closings();
   if (model.opening->jumps && model.contact.damper == 0)
@@ -146,6 +145,16 @@ ForwardSliding forward_sliding(const Model& model) {
   if (!(bound <= worst_error_without_creep * std::abs(least - model.creep))) lost_at_closings();
   // The contact's velocity is rounded once more where it is least.
   return {Ends::at_a_speed, least, cycle.error + bound + 4 * epsilon * std::abs(least)};
+}
+
+}  // namespace
+
+ForwardSliding forward_sliding(const Model& model) {
+  try {
+    return sliding_without_stick(model);
+  } catch (const ModelError& last) {
+    no_motion_found(model, last);
+  }
 }
 
 }  // namespace vcrit::simulation

@@ -170,6 +170,34 @@ BOOST_AUTO_TEST_CASE(a_surface_that_comes_back_at_once_meets_softly) {
                c);
 }
 
+// What the search stumbled over is not what is wrong.
+BOOST_AUTO_TEST_CASE(parts_that_lie_too_far_apart_are_named) {
+  const auto words = [](double contact, double drive, double mass) {
+    System system;
+    system.contact = {contact, 0.3, {}};
+    system.drive = Relaxation{drive, 0.1, {}};
+    system.mass = mass;
+    system.omega = system.friction = 1;
+    system.opening = {{1, 0, {{0.5, 2}}}, 0.3, 1};
+    return test::refusal<ModelError>([&] { sliding_threshold(system); });
+  };
+  BOOST_TEST(test::has(words(1, 1e46, 1), "below the stiffness of the drive"));
+  // Where modes leave the range of doubles, no network relaxes as fast as another.
+  BOOST_TEST(test::has(words(1, 0.3, 1e160), "leave the range of doubles"));
+}
+
+// In newtons, whose squares the search takes.
+BOOST_AUTO_TEST_CASE(forces_beyond_doubles_are_told) {
+  for (const double unit : {1e-200, 1e-100, 1e100, 1e160, 1e290}) {
+    System system;
+    system.contact = {unit, 0, {{0.5 * unit, 2}}};
+    system.omega = system.friction = 1;
+    system.opening = {system.contact, 0.3, 1};
+    const std::string told = test::refusal<ModelError>([&] { sliding_threshold(system); });
+    BOOST_TEST(test::has(told, unit < 1e-150 || unit > 1e150 ? "in SI units" : "accepted"), unit);
+  }
+}
+
 // The force with which it closes is of both branches, for as long as the faster one lasts.
 BOOST_AUTO_TEST_CASE(a_branch_that_relaxes_at_once_leaves_no_velocity) {
   for (const double time : {1e-90, 1e-99, 1e-101, 1e-155, 1e-250}) {
