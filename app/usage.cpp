@@ -7,6 +7,7 @@
 #include <array>
 #include <cctype>
 #include <cstring>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -216,6 +217,13 @@ bool is_unknown_command(const CLI::App& program, const std::string& first) {
   return !first.starts_with('-') && std::count(commands.begin(), commands.end(), first) == 0;
 }
 
+/// What an option's value is a number of: an int of C++ has neither fractions nor exponents.
+std::string number_of(const CLI::App& command, const std::string& name) {
+  const CLI::Option* option = command.get_option_no_throw(name);
+  if (option == nullptr || option->get_type_name() != "INT") return "a number";
+  return fmt::format("a whole number of at most {}", std::numeric_limits<int>::max());
+}
+
 InputError in_parts(const CLI::ParseError& error, const CLI::App& program,
                     const std::string& first) {
   const std::vector<std::string> commands = command_names(commands_of(program));
@@ -235,7 +243,10 @@ InputError in_parts(const CLI::ParseError& error, const CLI::App& program,
     return what_is_missing(asked_of(program, first), text.substr(0, text.find(" is required")));
   if (const auto rest = after(text, "Could not convert: "))
     if (const std::size_t sign = rest->find(" = "); sign != std::string::npos)
-      return {{rest->substr(0, sign)}, rest->substr(sign + 3), "a number", advice};
+      return {{rest->substr(0, sign)},
+              rest->substr(sign + 3),
+              number_of(asked_of(program, first), rest->substr(0, sign)),
+              advice};
   const std::size_t colon = text.find(": ");
   if (colon == std::string::npos)
     return {{whole_line}, text, "a command line as --help shows it", advice};

@@ -5,7 +5,7 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from . import _vcrit
-from .inputs import characters, refused
+from .inputs import characters, flag, refused
 from .scene import Scene
 
 
@@ -101,8 +101,9 @@ class Derivation:
         format: "text", "latex", "markdown", "html" or "json", or that of a system, which has v* alone: "sympy",
         "mathematica", "maple", "maxima", "mathml" or "c".
         """
-        return _vcrit.document(self._scene._handle, characters(format, "format"), self._form, limits,
-                               sensitivities, standalone)
+        return _vcrit.document(self._scene._handle, characters(format, "format"), self._form,
+                               flag(limits, "limits"), flag(sensitivities, "sensitivities"),
+                               flag(standalone, "standalone"))
 
     def _repr_latex_(self) -> str:
         return _displayed([each.latex for each in self.definitions] + [self.latex])

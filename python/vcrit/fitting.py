@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _vcrit
-from .inputs import characters, name_of_file, numbers, refused, text_with_unit, whole_number
+from .inputs import characters, flag, name_of_file, numbers, refused, text_with_unit, whole_number
 from .scene import Array, Scene, Value
 
 # Of columns that name none.
@@ -111,8 +111,8 @@ def fit(data: "str | os.PathLike[str] | Mapping[str, npt.ArrayLike]", *, damper:
         name: text_with_unit(value, name)
         for name, value in {"poisson": poisson, "frequency": frequency, "amplitude": amplitude,
                             "indentation": indentation, "coefficient": coefficient}.items()}
-    found = _vcrit.fit(text, file, text_with_unit(punch_radius, "punch_radius"), damper,
-                       whole_number(max_branches, "max_branches"), rest)
+    found = _vcrit.fit(text, file, text_with_unit(punch_radius, "punch_radius"),
+                       flag(damper, "damper"), whole_number(max_branches, "max_branches"), rest)
     notes = found.pop("notes")
     for note in notes if punch_radius is None else []:  # else that moduli are taken as asked for
         warnings.warn(note, stacklevel=2)

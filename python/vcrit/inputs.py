@@ -1,5 +1,6 @@
 """What callers give as numbers: arrays of any library, with units, masks and labels."""
 
+import contextlib
 import operator
 import os
 import re
@@ -104,6 +105,14 @@ def whole_number(given: Any, place: str) -> int:
     if not -_MOST <= number <= _MOST:
         raise refused(place, _described(given), f"a whole number of at most {_MOST}")
     return number
+
+
+def flag(given: Any, place: str) -> bool:
+    """True or False, also of NumPy, as 1 or 0, or as None; no text, which would be true whatever it says."""
+    with contextlib.suppress(TypeError, ValueError):  # of pandas.NA, of an array of several
+        if hasattr(type(given), "__bool__"):
+            return bool(given)
+    raise refused(place, _described(given), "True or False")
 
 
 def is_text(given: Any) -> bool:

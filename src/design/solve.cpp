@@ -66,6 +66,9 @@ class Solving {
       throw InputError(argument("samples"), fmt::format("{}", samples),
                        fmt::format("a number from 3 to {}", most_samples));
     problem_of(question, 1).values();  // what is sought needs no value
+    if (question.sought != Sought::amplitude && question.problem->amplitude.value == 0)
+      throw ModelError("without vibration, an amplitude of 0, friction is full at every speed",
+                       "give an amplitude, or `for amplitude` to find one");
     return question;
   }
 

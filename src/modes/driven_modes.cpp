@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "modes/beyond_doubles.hpp"
 
 namespace vcrit::simulation {
 
@@ -115,6 +116,7 @@ class Driven {
     for (Index i = 0; i < rates_.size(); ++i) {
       const PairNumber distance = modes.exponent + rates_[i];
       const double norm = std::abs(distance.a * distance.a - modes.q);
+      require_doubles(!std::isnan(norm));
       if (!(norm > least_distance * least_distance * rates_[i] * rates_[i]))
         throw ModelError(
             "the normal network relaxes as fast as the critically damped body on its drive");

@@ -7,6 +7,7 @@
 #include "base/constants.hpp"
 #include "base/errors.hpp"
 #include "modes/linear_solver.hpp"
+#include "stiffness/structure_check.hpp"
 
 namespace vcrit::simulation {
 
@@ -273,11 +274,20 @@ bool never_closes(const ContactModes& network, const Indentation& indentation) {
   return indentation.mean + indentation.amplitude <= 0;
 }
 
+// Squares of forces are taken, and sums of a few of them.
+void require_squares(const ContactModes& network, const Indentation& indentation) {
+  double stiffness = network.damper;
+  for (const double branch : network.branch_stiffness) stiffness += branch;
+  const double force = stiffness * (std::abs(indentation.mean) + indentation.amplitude);
+  require_si_doubles(force * force > 0 && std::isfinite(16 * force * force));
+}
+
 }  // namespace
 
 NormalCycle normal_cycle(const ContactModes& network, const Indentation& indentation,
                          SharedEffort* whole) {
   if (never_closes(network, indentation)) return {};
+  require_squares(network, indentation);
   Effort effort(effort_of_normal_force, whole, beyond_effort);
   return NormalCycleSearch(network, indentation, effort).run();
 }
@@ -285,6 +295,7 @@ NormalCycle normal_cycle(const ContactModes& network, const Indentation& indenta
 PressedCycle pressed_cycle(const ContactModes& network, const Indentation& indentation,
                            SharedEffort* whole) {
   if (never_closes(network, indentation)) return {};
+  require_squares(network, indentation);
   Effort effort(effort_of_normal_force, whole, beyond_effort);
   return NormalCycleSearch(network, indentation, effort).run_with_slope();
 }

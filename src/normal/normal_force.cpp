@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/constants.hpp"
+#include "modes/endless_times.hpp"
 
 namespace vcrit::simulation {
 
@@ -23,8 +24,15 @@ double wrapped(double t) {
   return result < two_pi ? result : 0;
 }
 
+bool answers_at_once(const NormalMotion& motion, double omega) {
+  const Relaxation given = in_radians(motion.network, omega);
+  const Relaxation moving = normal_without_shortest_times(given);
+  return (moving.damper == 0 && given.damper > 0) ||
+         std::any_of(given.branches.begin(), given.branches.end(), relaxes_at_once);
+}
+
 ContactModes modes_of(const NormalMotion& motion, double omega) {
-  return contact_modes(in_radians(motion.network, omega));
+  return contact_modes(normal_without_shortest_times(in_radians(motion.network, omega)));
 }
 
 NormalCycle steady_normal_force(const NormalMotion& motion, double omega) {

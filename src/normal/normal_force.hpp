@@ -10,6 +10,9 @@ namespace vcrit::simulation {
 /// A time less whole periods, in [0, 2 pi).
 double wrapped(double t);
 
+/// Whether a part of the network answers within 1e-100 radians: its modes leave that out.
+bool answers_at_once(const NormalMotion& motion, double omega);
+
 /// Its modes, with omega t for time.
 ContactModes modes_of(const NormalMotion& motion, double omega);
 

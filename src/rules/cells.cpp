@@ -37,6 +37,9 @@ constexpr Cell memory_code =
             "leave out separation = true for an evaluator of the closed contact");
 constexpr Cell measured_polynomial =
     refused("a measured receptance is a table, so v* has no rational form");
+constexpr Cell lossy_polynomial = refused(
+    "lossy(k, eta) is no rational function of s, from which the rational form of v* is made",
+    "`form expanded` has v* multiplied out");
 constexpr Cell contact_polynomial =
     refused("a measured stiffness is a table, so v* has no rational form");
 constexpr Cell no_symbols = refused(
@@ -195,7 +198,7 @@ constexpr std::array<Row, questions> table{{
       no_formula, no_formula,
       measured_code}},
     {Question::rational_form,
-     {measured_polynomial, y, lossy_law, y, y, y, y, y,
+     {measured_polynomial, y, lossy_polynomial, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y, y, y, y, y,
       y, y,

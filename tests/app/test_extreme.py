@@ -219,6 +219,11 @@ class Motion(Case):
         self.assertIn("At 1 × 10³⁰⁸ m/s, more than 10³⁰⁸ times v*",
                       self.out("simulate", program.example("leaf_spring"), "--velocity", "1e308"))
 
+    # It was said that the motion drifts.
+    def test_a_drive_that_hardly_moves_is_named(self):
+        for speed in ("1e-20", "1e-100", "1e-300"):
+            self.refused(3, ["simulate", program.example("zener"), "--velocity", speed], "the drive is so slow")
+
     def test_a_ratio_to_no_v_star_is_outside_the_model(self):
         for command, *options in (["simulate", "--velocity-ratio", "0.5"], ["plot", "--cycle"]):
             told = self.refused(3, [command, program.example("zener"), *options, "--set", "amplitude=0"],

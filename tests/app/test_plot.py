@@ -96,6 +96,11 @@ class Plot(Case):
     def test_frequencies_end_within_the_range_of_doubles(self):
         self.out("plot", ZENER, "--over", "frequency", "--set", "frequency=1e307")
 
+    def test_frequencies_far_below_those_of_the_scene_s_parts(self):
+        """That their ratio leaves the range of doubles was told as an infinite omega."""
+        for frequency in ("1e-300", "1e-150", "1e150", "1e300"):
+            self.assertIn("this scene", self.out("plot", ZENER, "--over", "frequency", "--set", f"frequency={frequency}"))
+
     def test_what_cannot_be_drawn_is_refused_before_a_file_is_there(self):
         self.refused(2, ["plot", ZENER, "--out", "picture.png"], 'found "picture.png"; expected a file ending in .svg or .pdf')
         self.refused(2, ["plot", ZENER, "--to", "-1 mm/s"], "expected a speed above 0")

@@ -122,6 +122,15 @@ ct = "1 kN.s/m"
             with self.subTest(question=question):
                 self.refused(2, ["solve", ELASTIC, *question], words)
 
+    # It was said that this is an antiresonance, that frequencies reduce friction up to 1e-308 m/s, and that numbers
+    # leave the range of doubles.
+    def test_nothing_is_sought_without_vibration(self):
+        for scene, sought in ((ELASTIC, "velocity"), (ELASTIC, "frequency"), (example("tribometer"), "force"),
+                              (example("sphere"), "velocity")):
+            speed = [] if sought == "velocity" else ["--velocity", "1 mm/s"]
+            self.refused(3, ["solve", scene, "--for", sought, "--friction-ratio", "0.9", *speed, "--set", "amplitude=0"],
+                         "without vibration, an amplitude of 0, friction is full at every speed", "--for amplitude")
+
     # --to was named, which nobody had given.
     def test_only_ends_that_were_given_are_wrong(self):
         command = ["solve", ELASTIC, "--for", "amplitude", "--friction-ratio", "0.5", "--velocity", "1 mm/s"]

@@ -267,6 +267,16 @@ class Help(Case):
                          f"vcrit: --{option}: found {value}; expected a number from")
         self.refused(2, ["simulate", ZENER, "--velocity-ratio", "0.5", "--steps", "9"], "expected moreau, which takes it")
 
+    def test_whole_numbers(self):
+        """An int of C++ is not any number."""
+        solve = ["solve", ZENER, "--for", "velocity", "--friction-ratio", "0.8"]
+        simulate = ["simulate", ZENER, "--velocity-ratio", "0.5", "--method", "moreau"]
+        for line, option, value in ((["fit", "pad.csv", "--out", "pad.toml"], "max-branches", "1e12"),
+                                    (solve, "samples", "2.5"), (simulate, "steps", "99999999999")):
+            self.refused(2, [*line, f"--{option}", value],
+                         f"--{option}: found {value}; expected a whole number of at most 2147483647; run with --help")
+        self.refused(2, [*simulate, "--theta", "half"], "--theta: found half; expected a number; run with --help")
+
     def test_languages_by_short_names(self):
         for short, full in [("c", "c99"), ("cpp", "c++"), ("js", "javascript"), ("py", "python")]:
             self.assertEqual(self.answer("generate", ZENER, "--out", short, "--language", short)["language"], full)

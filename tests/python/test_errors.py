@@ -177,6 +177,11 @@ class Exceptions(unittest.TestCase):
                 ("samples", "2.5", "a whole number", lambda: scene.solve("velocity", 0.8, samples=2.5)),
                 ("samples", "1000000000000", "a whole number of at most 2147483647",
                  lambda: scene.solve("velocity", 0.8, samples=10**12)),
+                ("limits", "'no'", "True or False", lambda: vcrit.derive(scene).document(limits="no")),
+                ("sensitivities", "[1]", "True or False", lambda: vcrit.derive(scene).document(sensitivities=[1])),
+                ("standalone", "array([1, 2])", "True or False",
+                 lambda: vcrit.derive(scene).document("latex", standalone=np.array([1, 2]))),
+                ("damper", "'False'", "True or False", lambda: vcrit.fit(table, damper="False")),
                 ("max_branches", "None", "a whole number", lambda: vcrit.fit(table, max_branches=None)),
                 ("max_branches", "2147483648", "a whole number of at most 2147483647",
                  lambda: vcrit.fit(table, max_branches=2**31))]:

@@ -77,6 +77,12 @@ BOOST_AUTO_TEST_CASE(every_rheology_has_its_section_and_is_in_the_index) {
   BOOST_TEST(count(html(), "<section") == static_cast<int>(catalogue().size()));
 }
 
+// tau_1 = (... tau_1 ...) stood there, where one is a relaxation time and the other is given.
+BOOST_AUTO_TEST_CASE(relaxation_times_are_told_from_retardation_times) {
+  BOOST_TEST(has(section("generalized_kelvin"), ">own</mi>"));
+  BOOST_TEST(!has(section("prony"), ">own</mi>"));  // its times are those given
+}
+
 BOOST_AUTO_TEST_CASE(other_names_are_said) {
   BOOST_TEST(has(section("zener"), "Also written <code>sls(k0, k1, c1)</code>."));
   BOOST_TEST(

@@ -118,9 +118,12 @@ FrequencyRange range_of(const Problem& problem, const Values& values) {
   if (problem->drive_network() != nullptr)
     include_relaxation(range, problem->drive_network()->network(), values);
   include_resonances(range, problem, values);
-  // Within the range of doubles.
+  // Within the range of doubles, as their ratio is: what is that far from the scene's is left out.
+  constexpr double farthest = 1e150;
   const double from = range.from / 100, to = range.to * 100;
-  return {from > 0 ? from : range.from, std::isfinite(to) ? to : range.to};
+  range = {from > 0 ? from : range.from, std::isfinite(to) ? to : range.to};
+  if (std::isfinite(range.to / range.from)) return range;
+  return {std::max(range.from, omega / farthest), std::min(range.to, omega * farthest)};
 }
 
 std::vector<double> even_steps(const FrequencyRange& range) {

@@ -2,12 +2,14 @@
 
 #include <fmt/core.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/rheology.hpp"
 #include "compare/formulas.hpp"
 #include "derivation/derivation.hpp"
+#include "formula/names.hpp"
 #include "network/catalogue.hpp"
 #include "problem/problem.hpp"
 #include "report/assets.hpp"
@@ -78,14 +80,17 @@ record::Json extremes_record(const Network& network) {
           {"direct_damper", unless_zero(extremes.damper)}};
 }
 
-/// What is given as such has no line.
-record::Json spectrum_record(const Network& network) {
-  const auto spectrum = symbolic::spectrum(network);
+/// What is given as such has no line. Times that are not are no times of the call, tau[1], which
+/// would read alike.
+record::Json spectrum_record(const Entry& entry) {
+  const auto spectrum = symbolic::spectrum(entry.network);
   if (!spectrum || spectrum->lines.empty()) return nullptr;
   std::vector<symbolic::Line> lines;
   for (const auto& [time, strength] : spectrum->lines)
     for (const symbolic::Line& line : {time, strength})
       if (!line.left.is_equal(line.right)) lines.push_back(line);
+  std::optional<symbolic::NamesOfScene> names;
+  if (!lines.empty()) names.emplace(problem_of(entry.call, "tangential = \"kt\"\n"));
   return {{"sum", formula_record(spectrum->sum())},
           {"lines", record::page_of(equations_of(lines))}};
 }
@@ -106,7 +111,7 @@ void add_contact(const Entry& entry, record::Json& record) {
   const symbolic::Derivation isotropic = symbolic::derive(problem_of(
       entry.call, "tangential_ratio = \"r\"\n[drive]\nnetwork = \"kd\"\n[body]\nmass = \"m\"\n"));
   record["extremes"] = extremes_record(entry.network);
-  record["spectrum"] = spectrum_record(entry.network);
+  record["spectrum"] = spectrum_record(entry);
   record["under_an_elastic_drive"] = velocity_record(isotropic);
   record["under_a_rigid_drive"] =
       velocity_record(symbolic::derive(problem_of(entry.call, "tangential = \"kt\"\n")));

@@ -14,6 +14,9 @@ namespace {
 // be a rounding error of its amplitude.
 constexpr double shortest = 1e-9;
 
+// With more of the mean force in doubt there is no digit of friction, which is measured by it.
+constexpr double most_error = 0.1;
+
 double until(double phase, double t) {
   const double result = wrapped(phase - t);
   return result < two_pi - shortest ? result : 0;
@@ -21,11 +24,17 @@ double until(double phase, double t) {
 
 }  // namespace
 
-Opening::Opening(const NormalMotion& motion, double omega, SharedEffort* whole)
-    : jumps(motion.network.damper > 0) {
+Opening::Opening(const NormalMotion& motion, double omega, SharedEffort* whole) {
   const ContactModes network = modes_of(motion, omega);
+  jumps = network.damper > 0;
+  answers_at_once = simulation::answers_at_once(motion, omega);
   const NormalCycle cycle = normal_cycle(network, {motion.mean, motion.amplitude}, whole);
   if (cycle.touches.empty()) throw ModelError("the contact never closes: there is no friction");
+  if (!(cycle.error < most_error * cycle.mean))
+    throw ModelError(
+        "the contact carries so little of the force with which it is pressed that its mean normal "
+        "force is lost in rounding",
+        "a stiffer spring of the normal network carries more");
   mean_force = cycle.mean;
   error = cycle.error / cycle.mean;
   amplitude = std::abs(cycle.swing) / cycle.mean;

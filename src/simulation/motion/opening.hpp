@@ -25,7 +25,10 @@ struct Opening {
   double constant = 0;    ///< part of b
   double amplitude = 0, phase = 0;
   bool jumps = false;  ///< F_n jumps up where the contact closes: a direct damper
-  Vector rates;        ///< of the decaying parts
+  /// A part of the normal network that answers at once is left out. Friction does not notice it; v*
+  /// does, as the contact point is pushed by all of the force with which the contact closes.
+  bool answers_at_once = false;
+  Vector rates;  ///< of the decaying parts
   List<Touch, 2> touches;
 
   /// From t to where the contact opens in a touch, or closes for it; 0 where t is there within

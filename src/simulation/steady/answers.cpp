@@ -40,8 +40,10 @@ class Answer {
     }
   }
 
-  void stick() const {
-    const double force = 1 + velocity_ / model_.creep;
+  // The path carries eta v0, which the velocity of the motion, v0 less the creep, has lost where v0
+  // is small.
+  void stick(double drive_velocity) const {
+    const double force = drive_velocity / model_.creep;
     set(force, 8 * 2.3e-16 * force, Regime::stick);
     for (int i = 0; i < samples_; ++i) {
       const double bound = model_.bound(phase_of(i) + model_.phase);
@@ -148,7 +150,7 @@ void Answers::answer(double velocity, Start start, int samples, bool near_last) 
   const double v = model_.motion_velocity(velocity / model_.velocity_unit);
   const Answer result(model_, v, samples, state_);
   if (model_.slides(v)) return result.sliding();
-  if (model_.never_slips(v)) return result.stick();
+  if (model_.never_slips(v)) return result.stick(velocity / model_.velocity_unit);
   if (near_resonance_) return answer_near_resonance(velocity, v, start, samples);
   if (!near_last || !follow(v)) {
     last_.reset();

@@ -160,9 +160,13 @@ Vector rounding(const Model& model, double velocity, const State& start) {
   return rounding_of(model, state_size(model, velocity, start));
 }
 
+// Slow branches tell by their integrals how far a period is from closed.
 void check_settles(const Model& model) {
-  if (!model.body || model.body->fluidity == 0 || model.slow_branches > 0 || model.body->masses)
-    return;
+  if (model.slow_branches == 0) check_cycles_settle(model);
+}
+
+void check_cycles_settle(const Model& model) {
+  if (!model.body || model.body->fluidity == 0 || model.body->masses) return;
   const PoleSum& drive = model.body->drive;
   double hold = drive.direct;
   for (Index j = 0; j < drive.rates.size(); ++j) hold += drive.weights[j] / drive.rates[j];
@@ -170,6 +174,25 @@ void check_settles(const Model& model) {
     throw ModelError(
         "the body is so heavy that in a period its drive, which creeps, changes its velocity by "
         "less than a rounding error: where that settles is lost in rounding");
+}
+
+void lost_at_closings() {
+  throw ModelError(
+      "a damper of the contact is so weak, or a Maxwell branch so fast, that the speed of the "
+      "contact point where the contact closes is lost in rounding",
+      "leave out what relaxes within a part in 1e12 of a period");
+}
+
+double parts_of_bound(const Opening& opening) {
+  double force = 1 + opening.amplitude;
+  for (const Opening::Touch& touch : opening.touches) force += sum_of_sizes(touch.decaying);
+  return force;
+}
+
+// The jump is of the size of the damper, as the path's stiffness is 1.
+void check_closings(const Model& model) {
+  if (!model.opening || !model.opening->jumps || model.contact.damper == 0) return;
+  if (!(4 * epsilon * parts_of_bound(*model.opening) < model.contact.damper)) lost_at_closings();
 }
 
 // A body that passes through rest is as uncertain as it is half a swing later.

@@ -37,6 +37,20 @@ Vector slip_rounding(const Model& model, const State& start);
 /// velocity in a period: where that settles, nothing tells.
 void check_settles(const Model& model);
 
+/// The same also of a drive with slow branches, where every velocity of the body seems to close a
+/// cycle: friction has an error that tells of it, whether a cycle sticks has none.
+void check_cycles_settle(const Model& model);
+
+/// Throws ModelError where the normal force jumps as the contact closes, by so weak a damper that
+/// rounding hides the jump: the damper of the contact's path makes a velocity of it.
+void check_closings(const Model& model);
+
+/// What it says, also for v*.
+[[noreturn]] void lost_at_closings();
+
+/// The largest parts of the bound of a contact that opens: what it is a sum of.
+double parts_of_bound(const Opening& opening);
+
 /// The velocity to which forces of the drive's branches, after u in `body`, swing it.
 double swing(const Model& model, ConstView body);
 

@@ -8,6 +8,7 @@
 #include "base/errors.hpp"
 #include "modes/highest.hpp"
 #include "simulation/steady/closing.hpp"
+#include "simulation/steady/far_apart.hpp"
 #include "simulation/steady/steady_cycle.hpp"
 
 namespace vcrit::simulation {
@@ -32,10 +33,6 @@ constexpr int most_steps = 8;
 
 // A cycle is closed where so many rounding errors are left of the residual.
 constexpr double closed = 100;
-
-constexpr const char* met_too_softly =
-    "the contact's surface comes back so fast that the force with which it closes, and the speed "
-    "of the contact point then, are lost in rounding";
 
 // The drive's speed with fewer digits than this is none, nor is v*, which is that less the creep.
 constexpr double worst_error = 1e-6, worst_error_without_creep = 1e-2;
@@ -104,19 +101,17 @@ bool drives_the_body(const Model& model) {
   return false;
 }
 
-// What rounding the bound does to the contact velocity. A surface that comes back far faster than the
-// oscillation goes closes with a force far below its amplitude, and as fast a contact point follows
-// that.
+// What rounding the bound does to the contact velocity. A surface that comes back far faster than
+// the oscillation goes closes with a force far below its amplitude, and as fast a contact point
+// follows that.
 double rounding_of_the_bound(const Model& model) {
   const Opening& opening = *model.opening;
-  double fluidity = model.contact.fluidity, force = 1 + opening.amplitude, rate = opening.amplitude;
+  double fluidity = model.contact.fluidity, rate = opening.amplitude;
   for (const double each : model.contact.unit_fluidity) fluidity += each;
   for (const Opening::Touch& touch : opening.touches)
-    for (Index i = 0; i < opening.rates.size(); ++i) {
-      force += std::abs(touch.decaying[i]);
+    for (Index i = 0; i < opening.rates.size(); ++i)
       rate += opening.rates[i] * std::abs(touch.decaying[i]);
-    }
-  return 4 * epsilon * (fluidity * force + model.contact.glassy * rate);
+  return 4 * epsilon * (fluidity * parts_of_bound(opening) + model.contact.glassy * rate);
 }
 
 // The velocity of the drive that is just enough for a piece of slip.
@@ -127,10 +122,9 @@ double least_velocity(const Model& model, const Trace::Part& part) {
   return highest(backward, part.duration);
 }
 
-}  // namespace
-
-ForwardSliding forward_sliding(const Model& model) {
+ForwardSliding sliding_without_stick(const Model& model) {
   using Ends = ForwardSliding::Ends;
+  if (model.opening->answers_at_once) lost_at_closings();
   if (model.opening->jumps && model.contact.damper == 0)
     return {Ends::sticks_at_closings, infinity};
   if (model.free_harmonic > 0) {
@@ -138,6 +132,7 @@ ForwardSliding forward_sliding(const Model& model) {
     return {Ends::in_resonance, infinity};
   }
   check_settles(model);
+  check_closings(model);
   const SlidingCycle cycle = sliding_cycle(model);
   double least = -infinity;
   for (const Trace::Part& part : cycle.period.parts)
@@ -147,10 +142,19 @@ ForwardSliding forward_sliding(const Model& model) {
         cycle.error <= worst_error_without_creep * std::abs(least - model.creep)))
     throw ModelError(lost_in_rounding);
   const double bound = rounding_of_the_bound(model);
-  if (!(bound <= worst_error_without_creep * std::abs(least - model.creep)))
-    throw ModelError(met_too_softly);
+  if (!(bound <= worst_error_without_creep * std::abs(least - model.creep))) lost_at_closings();
   // The contact's velocity is rounded once more where it is least.
   return {Ends::at_a_speed, least, cycle.error + bound + 4 * epsilon * std::abs(least)};
+}
+
+}  // namespace
+
+ForwardSliding forward_sliding(const Model& model) {
+  try {
+    return sliding_without_stick(model);
+  } catch (const ModelError& last) {
+    no_motion_found(model, last);
+  }
 }
 
 }  // namespace vcrit::simulation

@@ -7,6 +7,7 @@
 
 #include "base/constants.hpp"
 #include "base/errors.hpp"
+#include "simulation/steady/closing.hpp"
 #include "simulation/steady/forward_sliding.hpp"
 #include "simulation/steady/steady_cycle.hpp"
 
@@ -99,7 +100,7 @@ std::string why_infinite(ForwardSliding::Ends ends) {
 Onset sliding_threshold(const System& system) {
   const Model model(system);
   // Also of a contact that hardly opens, so that rounding hides it.
-  if (!model.opening && system.opening && system.opening->network.damper > 0 &&
+  if (!model.opening && system.opening && modes_of(*system.opening, system.omega).damper > 0 &&
       model.contact.damper == 0)
     return {infinity, infinity, why_infinite(ForwardSliding::Ends::sticks_at_closings)};
   if (model.opening) {
@@ -122,6 +123,7 @@ Onset stick_onset(const System& given) {
   const Model model(system);
   if (const std::string why = why_sticks_linger(system); !model.opening && !why.empty())
     throw ModelError(why);
+  check_cycles_settle(model);
   double low = 1, high = 2;
   while (!sticks(model, low) && low > lowest_speed) high = std::exchange(low, low / 2);
   if (!(low > lowest_speed)) throw ModelError("a motion from rest sticks at no speed");

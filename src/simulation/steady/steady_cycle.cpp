@@ -8,6 +8,7 @@
 #include "base/errors.hpp"
 #include "simulation/motion/course.hpp"
 #include "simulation/steady/closing.hpp"
+#include "simulation/steady/far_apart.hpp"
 #include "simulation/steady/full_friction.hpp"
 #include "simulation/steady/near_resonance.hpp"
 #include "simulation/steady/shooting.hpp"
@@ -32,6 +33,7 @@ constexpr double most_without_stick = 1e-2;
 
 void check_reach(const Model& model) {
   check_settles(model);
+  check_closings(model);
   if (lost_in_resonance(model))
     throw ModelError(
         model.resonance < infinity
@@ -367,7 +369,11 @@ std::optional<SteadyCycle> searched(const Model& model, double velocity, State s
 SteadyCycle steady_cycle(const Model& model, double velocity, State start) {
   check_reach(model);
   if (auto found = searched(model, velocity, std::move(start), nearly)) return *std::move(found);
-  return *SteadyCycleSearch(model, velocity, rest_start(model, velocity), last_patience).run();
+  try {
+    return *SteadyCycleSearch(model, velocity, rest_start(model, velocity), last_patience).run();
+  } catch (const ModelError& last) {
+    no_motion_found(model, velocity, last);
+  }
 }
 
 std::optional<SteadyCycle> strictly_steady_cycle(const Model& model, double velocity, State start) {

@@ -46,6 +46,17 @@ BOOST_AUTO_TEST_CASE(sticks_for_ever_below_the_bound) {
     }
 }
 
+// However slow: eta v0 was lost beside the bound, with an error of 1e-31 for 0.
+BOOST_AUTO_TEST_CASE(sticks_with_all_digits_at_rest) {
+  for (int decade = -1; decade >= -300; decade -= 13) {
+    const double force = std::pow(10, decade);
+    const SteadyState state = steady_state(creeping(branch), force / 3, Start::rest, 1);
+    BOOST_TEST(std::abs(state.friction_ratio / force - 1) <= 10 * u, decade);
+    BOOST_TEST(std::abs(state.friction_ratio - force) <= state.friction_ratio_error, decade);
+    BOOST_TEST(std::abs(state.cycle.front().force / force - 1) <= 10 * u, decade);
+  }
+}
+
 // Just above it slips once a period, where the bound is lowest: phase pi less that of F_n, pi/2.
 BOOST_AUTO_TEST_CASE(slips_where_the_bound_is_lowest) {
   for (const Start start : {Start::sliding, Start::rest}) {

@@ -145,9 +145,9 @@ BOOST_AUTO_TEST_CASE(lost_in_rounding) {
   BOOST_TEST(refused > 0);
 }
 
-// The surface is back within some c of a radian. It closes with the force c u', to which the contact
-// point answers by c u'/(c/2): v* = 2 u' where it closes, u = 0. Its rounding error grows as that
-// force becomes small beside the others, and has to be said; where nothing is left, that.
+// The surface is back within some c of a radian. It closes with the force c u', to which the
+// contact point answers by c u'/(c/2): v* = 2 u' where it closes, u = 0. Its rounding error grows
+// as that force becomes small beside the others, and has to be said; where nothing is left, that.
 BOOST_AUTO_TEST_CASE(a_surface_that_comes_back_at_once_meets_softly) {
   const auto velocity = [](double c) {
     System system;
@@ -161,9 +161,56 @@ BOOST_AUTO_TEST_CASE(a_surface_that_comes_back_at_once_meets_softly) {
     const Onset found = velocity(c);
     // Less by what is left of the deformation when the contact closes: none after 1/c radians.
     BOOST_TEST(std::abs(found.contact_velocity - exact) <= found.uncertainty, c);
-    BOOST_TEST(found.uncertainty <= 1e-14 / c + 1e-14, c);  // ten to twenty roundings of a force of 1
+    BOOST_TEST(found.uncertainty <= 1e-14 / c + 1e-14,
+               c);  // ten to twenty roundings of a force of 1
   }
-  BOOST_TEST(test::refused<ModelError>([&] { velocity(1e-15); }, "lost in rounding"));
+  // Beyond 1e-100 the dampers leave the motion, but v* stays 2 u': another number would be wrong.
+  for (const double c : {1e-15, 1e-40, 1e-99, 1e-101, 1e-160, 1e-250})
+    BOOST_TEST(test::refused<ModelError>([&] { velocity(c); }, "damper of the contact is so weak"),
+               c);
+}
+
+// What the search stumbled over is not what is wrong.
+BOOST_AUTO_TEST_CASE(parts_that_lie_too_far_apart_are_named) {
+  const auto words = [](double contact, double drive, double mass) {
+    System system;
+    system.contact = {contact, 0.3, {}};
+    system.drive = Relaxation{drive, 0.1, {}};
+    system.mass = mass;
+    system.omega = system.friction = 1;
+    system.opening = {{1, 0, {{0.5, 2}}}, 0.3, 1};
+    return test::refusal<ModelError>([&] { sliding_threshold(system); });
+  };
+  BOOST_TEST(test::has(words(1, 1e46, 1), "below the stiffness of the drive"));
+  // Where modes leave the range of doubles, no network relaxes as fast as another.
+  BOOST_TEST(test::has(words(1, 0.3, 1e160), "leave the range of doubles"));
+}
+
+// In newtons, whose squares the search takes.
+BOOST_AUTO_TEST_CASE(forces_beyond_doubles_are_told) {
+  for (const double unit : {1e-200, 1e-100, 1e100, 1e160, 1e290}) {
+    System system;
+    system.contact = {unit, 0, {{0.5 * unit, 2}}};
+    system.omega = system.friction = 1;
+    system.opening = {system.contact, 0.3, 1};
+    const std::string told = test::refusal<ModelError>([&] { sliding_threshold(system); });
+    BOOST_TEST(test::has(told, unit < 1e-150 || unit > 1e150 ? "in SI units" : "accepted"), unit);
+  }
+}
+
+// The force with which it closes is of both branches, for as long as the faster one lasts.
+BOOST_AUTO_TEST_CASE(a_branch_that_relaxes_at_once_leaves_no_velocity) {
+  for (const double time : {1e-90, 1e-99, 1e-101, 1e-155, 1e-250}) {
+    System system;
+    system.contact = {1, 0, {{0.5, time}}};
+    system.drive = Relaxation{0.3, 0.1, {}};
+    system.mass = 2;
+    system.omega = system.friction = 1;
+    system.opening = {{1, 0, {{0.5, time}}}, 0.3, 1};
+    BOOST_TEST(
+        test::refused<ModelError>([&] { sliding_threshold(system); }, "Maxwell branch so fast"),
+        time);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,7 @@
 #include "scene/scene.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
+#include "support/refusal.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_hard_systems)
 
@@ -135,6 +136,25 @@ BOOST_AUTO_TEST_CASE(creep_beyond_what_numbers_hold_is_told) {
   BOOST_CHECK_EXCEPTION(steady_state(system, velocity), ModelError, [](const ModelError& error) {
     return std::string(error.what()).find("lost in rounding") != std::string::npos;
   });
+}
+
+// Searches end in drift, in motion without bound or in ringing, which is not what is wrong.
+BOOST_AUTO_TEST_CASE(parts_that_lie_too_far_apart_are_named) {
+  const auto words = [](double contact, double drive, double mass) {
+    System system;
+    system.contact = {contact, 0.1, {}};
+    system.drive = Relaxation{drive, 0, {}};
+    system.mass = mass;
+    system.omega = system.friction = system.mean_normal_force = 1;
+    system.normal_force_amplitude = 0.5;
+    return test::refusal<ModelError>(
+        [&] { steady_state(system, 0.5 * sliding_threshold(system).drive_velocity); });
+  };
+  BOOST_TEST(test::has(words(1, 0.3, 1e-150), "the body's inertia m omega^2 lies 150 orders of"));
+  BOOST_TEST(test::has(words(1, 0.3, 1e155), "the stiffness of the drive lies 156 orders of"));
+  BOOST_TEST(test::has(words(1e100, 0.3, 2), "below the stiffness of the contact"));
+  // Nearer to each other, it is the search itself.
+  BOOST_TEST(test::has(words(1e14, 0.3, 2), "the body rings"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

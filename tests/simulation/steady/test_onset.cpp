@@ -9,6 +9,7 @@
 #include "simulation/random_systems.hpp"
 #include "simulation/reference_systems.hpp"
 #include "simulation/steady/exact.hpp"
+#include "support/refusal.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_onset)
 
@@ -108,6 +109,21 @@ BOOST_AUTO_TEST_CASE(a_body_that_never_settles_is_refused) {
     system.contact = {1, 0.1, {}};
     system.opening = {{1, 0, {}}, 0.5, 1};
     BOOST_CHECK_THROW(sliding_threshold(system), ModelError);
+  }
+}
+
+// On a drive with a slow branch every velocity of so heavy a body closes a cycle: 1.55 v* was
+// found.
+BOOST_AUTO_TEST_CASE(the_last_stick_of_a_body_that_never_settles_is_not_made_up) {
+  for (const double mass : {1e18, 1e21, 1e24}) {
+    System system;
+    system.contact = {0.8, 0, {{0.3, 0.9}}};
+    system.drive = Relaxation{0, 0, {{0.2, 6}}};
+    system.mass = mass;
+    system.omega = system.mean_normal_force = 1;
+    system.friction = 0.3;
+    system.normal_force_amplitude = 0.5;
+    BOOST_TEST(test::refused<ModelError>([&] { stick_onset(system); }, "the body is so heavy"));
   }
 }
 

@@ -9,6 +9,7 @@
 #include "simulation/steady/energy.hpp"
 #include "simulation/steady/exact.hpp"
 #include "simulation/steady/onset.hpp"
+#include "support/refusal.hpp"
 #include "support/table.hpp"
 
 BOOST_AUTO_TEST_SUITE(test_separation)
@@ -165,6 +166,71 @@ BOOST_AUTO_TEST_CASE(goes_over_into_contact) {
     const double touching = steady_state(never, velocity).friction_ratio;
     // The forces differ by less than 4e-9 of their mean.
     BOOST_TEST(std::abs(open - touching) <= 1e-8);
+  }
+}
+
+// The mean force falls with the spring that carries it: friction was 2.07 where nothing is left of
+// it.
+BOOST_AUTO_TEST_CASE(a_mean_force_that_is_lost_is_told) {
+  int answered = 0;
+  for (int decade = 0; decade >= -300; decade -= 4) {
+    System system = elastic(0.5, 1);
+    system.contact = {std::pow(10, decade), 0, {{0.5, 1}}};
+    system.opening->network = system.contact;
+    try {
+      const SteadyState found =
+          steady_state(system, 0.5 * sliding_threshold(system).drive_velocity);
+      BOOST_TEST(found.friction_ratio <= 1 + found.friction_ratio_error, decade);
+      BOOST_TEST(found.friction_ratio_error < 0.3, decade);
+      ++answered;
+    } catch (const ModelError& error) {
+      BOOST_TEST(decade < -18, decade);
+      BOOST_TEST(test::has(error.what(), "lost in rounding"));
+    }
+  }
+  BOOST_TEST(answered >= 5);
+}
+
+// A branch whose force is nothing beside the spring's closes and opens nothing.
+BOOST_AUTO_TEST_CASE(weak_branches_are_left_out) {
+  const double velocity = 0.4;
+  const SteadyState spring = steady_state(elastic(0.5, 1), velocity);
+  for (const double stiffness : {1e-20, 1e-80, 1e-120, 1e-155, 1e-250}) {
+    System system = elastic(0.5, 1);
+    system.contact = system.opening->network = {1, 0, {{stiffness, 1}}};
+    const SteadyState found = steady_state(system, velocity);
+    BOOST_TEST(std::abs(found.friction_ratio - spring.friction_ratio) <=
+                   found.friction_ratio_error + spring.friction_ratio_error,
+               stiffness);
+  }
+}
+
+// What relaxes in c of a radian changes friction by some c: the ratio is that of the spring, or
+// none where rounding hides the force with which a direct damper lets the contact close.
+BOOST_AUTO_TEST_CASE(dampers_that_vanish) {
+  const double velocity = 0.4;
+  const SteadyState spring = steady_state(elastic(0.5, 1), velocity);
+  for (int decade = -8; decade >= -300; decade -= 2) {
+    const double c = std::pow(10, decade);
+    const auto compared = [&](const Relaxation& network) {
+      System system = elastic(0.5, 1);
+      system.contact = network;
+      system.opening->network = network;
+      const SteadyState found = steady_state(system, velocity);
+      BOOST_TEST(std::abs(found.friction_ratio - spring.friction_ratio) <=
+                     found.friction_ratio_error + spring.friction_ratio_error + 4 * c,
+                 decade);
+    };
+    compared({1, 0, {{0.5, c}}});
+    if (decade >= -12 || decade < -100)
+      compared({1, c, {}});
+    else if (decade < -15)
+      BOOST_TEST(test::refused<ModelError>(
+                     [&] {
+                       compared({1, c, {}});
+                     },
+                     "damper of the contact"),
+                 decade);
   }
 }
 
