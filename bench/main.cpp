@@ -15,8 +15,7 @@ int main(int count, char** words) {
   // A benchmark takes minutes: a line is shown when it is there.
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   int status = 0;
-  for (const auto add :
-       {add_simulators, add_masses, add_derivation, add_bounds, add_evaluators})
+  for (const auto add : {add_simulators, add_masses, add_derivation, add_bounds, add_evaluators})
     add(program, status);
   try {
     program.parse(count, words);

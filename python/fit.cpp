@@ -40,7 +40,8 @@ Columns branches_of(const fit::Fit& found) {
 /// Frequency; storage and loss; the lowest and the highest value of each.
 Columns known_of(const StiffnessTable& data, const fit::Fit& found) {
   Columns columns(7);
-  for (const fit::KnownStiffness& at : known_stiffness(data, found, fit::frequencies_across(data))) {
+  for (const fit::KnownStiffness& at :
+       known_stiffness(data, found, fit::frequencies_across(data))) {
     const auto& [omega, storage, loss, of_storage, of_loss] = at;
     const double row[] = {omega / two_pi,  storage,     loss,        of_storage.low,
                           of_storage.high, of_loss.low, of_loss.high};

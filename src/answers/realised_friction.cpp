@@ -199,13 +199,12 @@ RealisedVelocity realised_velocity(const Problem& problem) {
   const Complex contact = dynamic_stiffness(contact_of(problem), omega);
   const Complex r = realised->response(omega), free = 1.0 - mass * omega * omega * r;
   const double unit = system.friction * omega * std::abs(system.normal_force_amplitude);
-  const double off =
-      realised->error(omega) + std::abs(r - between_rows(*realised, table, omega));
+  const double off = realised->error(omega) + std::abs(r - between_rows(*realised, table, omega));
   // Of r' within `off` of r, r'/free' - r/free = (r' - r)/(free free').
   const double least = std::abs(free) - mass * omega * omega * off;
-  return {unit * std::abs(1.0 / contact + r / free),
-          least > 0 ? unit * off / (std::abs(free) * least)
-                    : std::numeric_limits<double>::infinity()};
+  return {unit * std::abs(1.0 / contact + r / free), least > 0
+                                                         ? unit * off / (std::abs(free) * least)
+                                                         : std::numeric_limits<double>::infinity()};
 }
 
 namespace {

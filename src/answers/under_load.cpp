@@ -36,7 +36,8 @@ std::optional<BelowMount> below_mount(const Problem& problem) {
 
 double amplitude_at_contact(const Problem& problem) {
   if (swings_with_harmonics(problem))
-    throw ModelError("below its mount the contact opens: its height has harmonics, and no amplitude");
+    throw ModelError(
+        "below its mount the contact opens: its height has harmonics, and no amplitude");
   return contact_amplitude(problem);
 }
 

@@ -41,8 +41,8 @@ struct BelowMount {
 /// missing values.
 std::optional<BelowMount> below_mount(const Problem& problem);
 
-/// du_z, m, with and without a mount. Throws ModelError where the contact opens below one, InputError
-/// for missing values.
+/// du_z, m, with and without a mount. Throws ModelError where the contact opens below one,
+/// InputError for missing values.
 double amplitude_at_contact(const Problem& problem);
 
 /// <F_n>, N, of any scene: what `vcrit sweep` asks for. Throws ModelError where it is not found,

@@ -4,7 +4,8 @@
 
 namespace vcrit {
 
-/// Of the sources that the program is made of: "unknown" outside a repository; + where they differ from it.
+/// Of the sources that the program is made of: "unknown" outside a repository; + where they differ
+/// from it.
 std::string commit();
 
 }  // namespace vcrit

@@ -10,18 +10,18 @@ namespace vcrit {
 
 /// What a number measures, by its SI unit.
 enum class Dimension {
-  none,              ///< 1
-  stiffness,         ///< N/m
-  damping,           ///< N s/m
-  modulus,           ///< Pa
-  viscosity,         ///< Pa s
-  time,              ///< s
-  mass,              ///< kg
-  length,            ///< m
-  angle,             ///< rad
-  velocity,          ///< m/s
-  force,             ///< N
-  frequency,         ///< Hz, cycles a second: "20 kHz" is 20000
+  none,               ///< 1
+  stiffness,          ///< N/m
+  damping,            ///< N s/m
+  modulus,            ///< Pa
+  viscosity,          ///< Pa s
+  time,               ///< s
+  mass,               ///< kg
+  length,             ///< m
+  angle,              ///< rad
+  velocity,           ///< m/s
+  force,              ///< N
+  frequency,          ///< Hz, cycles a second: "20 kHz" is 20000
   angular_frequency,  ///< rad/s; a frequency in Hz is refused, and the other way round
   compliance          ///< m/N
 };

@@ -1,9 +1,9 @@
 // Eq. (24), once:
 //   v* = mu0 omega du_z |K_n|/|K_t| |K_t + D|/|D|,   D = K_d - m omega^2,
 //   du_z = U |K_m|/|K_m + K_n - m_n omega^2|,
-// what of it a scene has; without a mount du_z is given. Under a rigid drive the last quotient is 1; in
-// an isotropic contact, K_t = r K_n, the first is 1/r, and K_n counts only where the drive gives or
-// there is a mount.
+// what of it a scene has; without a mount du_z is given. Under a rigid drive the last quotient is
+// 1; in an isotropic contact, K_t = r K_n, the first is 1/r, and K_n counts only where the drive
+// gives or there is a mount.
 #pragma once
 
 #include "problem/problem.hpp"
@@ -22,10 +22,11 @@ template <class Algebra>
 auto eq24(const Problem& problem, Algebra&& algebra) {
   auto v = algebra.outer();
   const auto times_drive = [&](const auto& tangential) {
-    std::visit(Overloaded{[](const Rigid&) {},
-                     [&](const ReducedNetwork& drive) { algebra.times_drive(v, tangential, drive); },
-                     [&](const Receptance& drive) { algebra.times_drive(v, tangential, drive); }},
-               problem->drive);
+    std::visit(
+        Overloaded{[](const Rigid&) {},
+                   [&](const ReducedNetwork& drive) { algebra.times_drive(v, tangential, drive); },
+                   [&](const Receptance& drive) { algebra.times_drive(v, tangential, drive); }},
+        problem->drive);
   };
   if (const auto* isotropic = std::get_if<Isotropic>(&problem->tangential)) {
     const auto ratio = algebra.ratio(*isotropic);

@@ -72,8 +72,8 @@ class ModalFactors {
     for (Index p = 1; p < pairs_.size(); ++p) [[unlikely]] apply_pair(n + 2 * p, pairs_[p]);
   }
 
-  /// The same of many at once, column by column: after the duration, and integrated over it once and
-  /// twice.
+  /// The same of many at once, column by column: after the duration, and integrated over it once
+  /// and twice.
   class Passed {
    public:
     Passed(Index rows, Index columns)

@@ -61,9 +61,8 @@ double pressed_mean(const Problem& problem) {
 // Of what is prescribed: with the mount's deformation under a load.
 double prescribed_mean(const Problem& problem) {
   if (!problem->load) return problem.value(problem->indentation);
-  return problem.found_indentation([&] {
-    return problem->indenter ? indentation_of_cells(problem) : pressed_mean(problem);
-  });
+  return problem.found_indentation(
+      [&] { return problem->indenter ? indentation_of_cells(problem) : pressed_mean(problem); });
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // How deep the contact is pressed on the mean: as the scene says, or as its load has it. Where the
 // contact stays closed u_z0 = W/K_n(0); where it opens, and below an indenter, the mean normal
 // force grows with u_z0 from 0, at u_z0 = -du_z, with a slope above 0 and up to K_n(0)
-// (docs/physics.md), so that there is one u_z0 for every load. It may be negative. Below a mount it is
-// the body's, the mean of what the mount leaves of the vibrator's.
+// (docs/physics.md), so that there is one u_z0 for every load. It may be negative. Below a mount it
+// is the body's, the mean of what the mount leaves of the vibrator's.
 #pragma once
 
 #include <functional>
@@ -18,8 +18,9 @@ namespace vcrit::simulation {
 double mean_indentation(const Problem& problem);
 
 /// What a contact that opens is pressed by. Below a mount without mass that is the vibrator, which
-/// presses mount and contact in series: with no force but theirs, their deformations together are at
-/// least what it prescribes, and more where the surfaces part. Throws as mean_indentation() does.
+/// presses mount and contact in series: with no force but theirs, their deformations together are
+/// at least what it prescribes, and more where the surfaces part. Throws as mean_indentation()
+/// does.
 NormalMotion opening_motion(const Problem& problem);
 
 /// <F_n> (N) while the contact stays closed: the load, or K_n(0) u_z0 with K_n(0) in N/m.

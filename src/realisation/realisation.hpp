@@ -20,8 +20,8 @@ enum class BodyMass { heavy, none };
 
 class Realisation {
  public:
-  /// Throws InputError for a table most of whose rows give energy, for a static compliance less than
-  /// that of the structure, and for an order that the rows cannot hold.
+  /// Throws InputError for a table most of whose rows give energy, for a static compliance less
+  /// than that of the structure, and for an order that the rows cannot hold.
   explicit Realisation(const Receptance& table, BodyMass body = BodyMass::heavy);
 
   const Structure& structure() const { return structure_; }  ///< SI: y in m, K_yy = 1 N/m

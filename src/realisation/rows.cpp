@@ -34,8 +34,9 @@ void set_units(Rows& rows, const Receptance& table) {
 std::vector<double> arc_length(const Rows& rows) {
   std::vector<double> length{0};
   for (Index i = 1; i < rows.size(); ++i)
-    length.push_back(length.back() + std::min(1.0, std::abs(rows.value[i] - rows.value[i - 1]) *
-                                                       std::max(rows.weight[i], rows.weight[i - 1])));
+    length.push_back(length.back() +
+                     std::min(1.0, std::abs(rows.value[i] - rows.value[i - 1]) *
+                                       std::max(rows.weight[i], rows.weight[i - 1])));
   const double even = std::max(length.back(), 1e-300) / static_cast<double>(rows.size());
   for (std::size_t i = 0; i < length.size(); ++i) length[i] += even * static_cast<double>(i);
   return length;

@@ -23,8 +23,8 @@ class Deviates {
 /// The structure without a mode: alpha^2/(1 + tau s).
 Structure series_spring(const Rows& rows);
 
-/// Starts with that many modes, each with modal damping: from causal fits; `less`, the best with one
-/// mode less, with one added where the misfit is worst, above, below and within the rows.
+/// Starts with that many modes, each with modal damping: from causal fits; `less`, the best with
+/// one mode less, with one added where the misfit is worst, above, below and within the rows.
 std::vector<Structure> first_starts(const Rows& rows, Eigen::Index modes, const Structure* less);
 
 /// Starts with that many modes whose springs and dampers reach the end itself: from causal fits of

@@ -44,7 +44,8 @@ std::string unit_of(const std::string& text) {
   const std::string number_and_unit = text.substr(begin);
   const auto end =
       std::min(number_and_unit.find_first_not_of("0123456789.+-eE"), number_and_unit.size());
-  const std::size_t length = leading_number(std::string_view(number_and_unit).substr(0, end)).length;
+  const std::size_t length =
+      leading_number(std::string_view(number_and_unit).substr(0, end)).length;
   const auto unit = number_and_unit.find_first_not_of(" \t", length);
   return unit == number_and_unit.npos ? std::string() : number_and_unit.substr(unit);
 }
@@ -66,16 +67,17 @@ std::vector<Warning> suspicious_bare_numbers(const std::vector<BareNumber>& numb
   std::vector<Warning> warnings;
   for (const BareNumber& it : numbers) {
     const std::string number = to_text(it.value);
-    const auto* usual = std::find_if(
-        usual_numbers.begin(), usual_numbers.end(), [&](const Usual& row) {
+    const auto* usual =
+        std::find_if(usual_numbers.begin(), usual_numbers.end(), [&](const Usual& row) {
           return it.key == row.key && it.value != 0 &&
                  !(it.value >= row.least && it.value < row.most);
         });
     if (usual != usual_numbers.end())
       warnings.push_back(
-          {it.place, fmt::format("{} {} {}: a bare number is in {}; if {} are meant, write \"{} {}\"",
-                                 it.key, number, usual->unit, usual->words, usual->other_unit,
-                                 number, usual->other_unit)});
+          {it.place,
+           fmt::format("{} {} {}: a bare number is in {}; if {} are meant, write \"{} {}\"", it.key,
+                       number, usual->unit, usual->words, usual->other_unit, number,
+                       usual->other_unit)});
     else if (!it.unit.empty())
       warnings.push_back(
           {it.place, fmt::format("{0} {1} {2}: a bare number is in {2}, and the scene gives {0} in "

@@ -7,8 +7,8 @@
 
 namespace vcrit {
 
-/// static_compliance (m/N) and order of [drive], where they are given. Throws InputError for a value
-/// that they may not have.
+/// static_compliance (m/N) and order of [drive], where they are given. Throws InputError for a
+/// value that they may not have.
 void read_realisation_keys(const document::Section& drive, Receptance& receptance);
 /// Throws InputError where one of them is given, as for a drive that is a network.
 void refuse_realisation_keys(const document::Section& drive);

@@ -51,8 +51,10 @@ std::vector<Line> separation_lines(const Derivation& derivation) {
          "v* of a contact that opens is that of a closed one");
   const bool mounted = problem->mount.has_value();  // without mass: in series with the contact
   const Prose closed{
-      "While the contact is closed, ", z,
-      mounted ? " is what the vibrator prescribes" : " is the indentation", "; where it grows fastest",
+      "While the contact is closed, ",
+      z,
+      mounted ? " is what the vibrator prescribes" : " is the indentation",
+      "; where it grows fastest",
       always ? " the contact is closed, and" : ", as long as the contact is closed there,",
       " the contact point is slowest, as without separation"};
   return {{{"In sliding contact force and friction balance at all times, also while the contact is "

@@ -6,7 +6,8 @@ namespace vcrit::symbolic {
 
 std::map<Symbol, Meaning> meanings_of(const Problem& problem) {
   std::map<Symbol, Meaning> all;
-  // Below an indenter the contact's elements are those of a half-space; on a drive nothing is derived.
+  // Below an indenter the contact's elements are those of a half-space; on a drive nothing is
+  // derived.
   const bool half_space = problem->indenter.has_value();
   for_each_element(problem, [&](const Element& element) {
     for_each_number(element, [&](const Symbol& symbol, NumberRole role) {

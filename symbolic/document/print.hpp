@@ -23,7 +23,7 @@ struct DocumentOptions {
   bool sensitivities = false;
   ResultForm form = ResultForm::shortest;
   bool standalone = false;  ///< LaTeX: an article that compiles as it is, no part of one
-  double budget = 5000;  ///< terms of polynomials up to which v* is expanded, or rational
+  double budget = 5000;     ///< terms of polynomials up to which v* is expanded, or rational
   std::string system = {};  ///< of Format::system, by its name
 };
 

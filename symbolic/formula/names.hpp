@@ -45,8 +45,8 @@ class NamesOfScene {
   std::map<std::string, std::string> by_setting_;  ///< the first name of each setting in LaTeX
   std::set<std::string> entries_;                  ///< settings of entries of arrays
   std::map<std::string, std::string> groups_by_setting_;  ///< likewise of what is named after them
-  std::set<std::string> ambiguous_;  ///< arrays with an entry that is set as an element is
-  std::map<std::string, std::string> names_;              ///< that the scene gives its symbols
+  std::set<std::string> ambiguous_;           ///< arrays with an entry that is set as an element is
+  std::map<std::string, std::string> names_;  ///< that the scene gives its symbols
   mutable std::unordered_map<std::string, std::string> printed_;  ///< as far as asked for
   const NamesOfScene* before_;
 };

@@ -15,7 +15,8 @@
 
 namespace vcrit::test {
 
-/// Pads (a spring beside a damper) and masses from the body to the wall, pads.size() = m.size() + 1.
+/// Pads (a spring beside a damper) and masses from the body to the wall, pads.size() = m.size()
+/// + 1.
 struct RandomChain {
   std::string id;
   std::vector<double> k, c, m;

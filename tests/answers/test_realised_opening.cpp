@@ -1,6 +1,6 @@
-// Contacts that open on drives known by tables of their receptance, against the same contacts on the
-// chains that these are tables of (tests/data/two_mass_chains.csv): critical velocity and friction
-// within the stated errors, whose factors were set on contacts that stay closed.
+// Contacts that open on drives known by tables of their receptance, against the same contacts on
+// the chains that these are tables of (tests/data/two_mass_chains.csv): critical velocity and
+// friction within the stated errors, whose factors were set on contacts that stay closed.
 // VCRIT_CHAINS=82 runs all of them, each as four tables.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -41,7 +41,8 @@ void check_tables(double last, double noise, std::size_t usual, double speed) {
   const std::size_t count = asked ? std::stoul(asked) : usual;
   const auto scenes = reference::chains();
   const auto drives = test::chains();
-  // An estimate, not a bound: of 328 tables v* of one was outside, by 1.15 times (docs/simulation.md).
+  // An estimate, not a bound: of 328 tables v* of one was outside, by 1.15 times
+  // (docs/simulation.md).
   std::size_t outside = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t row = i * scenes.size() / count;
@@ -65,8 +66,8 @@ void check_tables(double last, double noise, std::size_t usual, double speed) {
     const double apart = std::abs(found.friction_ratio - state.friction_ratio);
     BOOST_TEST(apart <= error, words << ": off by " << apart << ", stated " << error);
     BOOST_TEST_MESSAGE(words << " v* off " << off << " stated " << stated << " of "
-                             << own.contact_velocity << " ratio off " << apart << " stated " << error
-                             << " of " << state.friction_ratio);
+                             << own.contact_velocity << " ratio off " << apart << " stated "
+                             << error << " of " << state.friction_ratio);
     BOOST_TEST((found.regime != simulation::Regime::stick_slip), "the contact opens");
     BOOST_TEST(fit.critical_velocity == onset.contact_velocity);
   }

@@ -1,6 +1,7 @@
 // Friction of chains of masses at random by tables of their receptance, within the error that is
 // stated: no factor of that error was set on these.
-// VCRIT_RANDOM_CHAINS=200 runs so many, each as four tables. VCRIT_FIRST_CHAIN begins at another one.
+// VCRIT_RANDOM_CHAINS=200 runs so many, each as four tables. VCRIT_FIRST_CHAIN begins at another
+// one.
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
@@ -47,8 +48,8 @@ BOOST_AUTO_TEST_CASE(chains_at_random_within_the_stated_error) {
   struct Kind {
     double last, noise;
   };
-  // An estimate, not a bound: of 320 tables two were outside, by up to 1.5 times (docs/simulation.md).
-  // None of the first four chains is.
+  // An estimate, not a bound: of 320 tables two were outside, by up to 1.5 times
+  // (docs/simulation.md). None of the first four chains is.
   int outside = 0;
   for (int number = from; number < from + count; ++number) {
     const test::RandomChain chain = test::random_chain(number);
@@ -63,11 +64,12 @@ BOOST_AUTO_TEST_CASE(chains_at_random_within_the_stated_error) {
       const RealisedFriction found = realised_friction(problem, own.velocity);
       const double off = std::abs(state.friction_ratio - own.ratio);
       const double stated = own.error + state.friction_ratio_error + found.error;
-      BOOST_TEST_MESSAGE(chain.id << " to " << kind.last << " noise " << kind.noise << " off " << off
-                                  << " stated " << stated << " factor " << off / stated);
+      BOOST_TEST_MESSAGE(chain.id << " to " << kind.last << " noise " << kind.noise << " off "
+                                  << off << " stated " << stated << " factor " << off / stated);
       if (off > stated) ++outside;
-      BOOST_TEST(off <= 4 * stated, chain.id << " to " << kind.last << " omega, noise " << kind.noise
-                                             << ": off by " << off << ", stated " << stated);
+      BOOST_TEST(off <= 4 * stated, chain.id << " to " << kind.last << " omega, noise "
+                                             << kind.noise << ": off by " << off << ", stated "
+                                             << stated);
     }
   }
   BOOST_TEST(outside <= count / 10);

@@ -88,8 +88,8 @@ BOOST_AUTO_TEST_CASE(drives_with_masses_against_nodes) {
 }
 
 // A measured contact follows omega: by differences of v* over parts of 1e-6 of omega. Rounding of
-// v*, some 1e2 units, over twice that, and the change's square leave less than 1e-7. Drives with and
-// without masses go two ways.
+// v*, some 1e2 units, over twice that, and the change's square leave less than 1e-7. Drives with
+// and without masses go two ways.
 BOOST_AUTO_TEST_CASE(a_measured_contact_follows_omega) {
   const test::PrivateFolder folder;
   std::ofstream(folder.path() / "pad.csv") << "omega,storage,loss\n1,8,1\n3,16,2\n5,16,4\n";

@@ -25,7 +25,8 @@ BOOST_AUTO_TEST_CASE(formulas_in_words_are_mathematics) {
              "below $v^{*} = \\omega/k_{0}$ &amp; more");
   const std::string page =
       velocity.written(mathml_within_words(), "<math>", "</math>", record::html_text);
-  BOOST_TEST(page.starts_with("below <math><msup><mi>v</mi><mo>*</mo></msup><mo>=</mo><mi>ω</mi><mo>/</mo>"));
+  BOOST_TEST(page.starts_with(
+      "below <math><msup><mi>v</mi><mo>*</mo></msup><mo>=</mo><mi>ω</mi><mo>/</mo>"));
   BOOST_TEST(page.ends_with("</msub></math> &amp; more"));
 }
 

@@ -200,8 +200,8 @@ BOOST_AUTO_TEST_CASE(critical_velocities_of_another_method) {
   }
 }
 
-// Of 200 cells the body's rate is off by 1/400, as each touches late or early by half its width: they
-// tell 1 % apart. A stick at 0.99 lasts for 2 sqrt(0.02) rad, some 20 of 500 steps.
+// Of 200 cells the body's rate is off by 1/400, as each touches late or early by half its width:
+// they tell 1 % apart. A stick at 0.99 lasts for 2 sqrt(0.02) rad, some 20 of 500 steps.
 BOOST_AUTO_TEST_CASE(plain_cells_stick_below_and_slide_above) {
   for (const Row& row : table()) {
     if (row.id != "Z1" && row.id != "Z2" && row.id != "Z4" && row.id != "Z6") continue;

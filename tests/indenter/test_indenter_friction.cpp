@@ -369,15 +369,16 @@ BOOST_AUTO_TEST_CASE(dips_into_a_strongly_damped_surface) {
 // As good as elastic: cells at the rim, which hardly touch, find sticks of some roundings at speeds
 // at which all of them slide.
 BOOST_AUTO_TEST_CASE(sticks_of_rounding_are_none) {
-  const HalfSpace half_space(test::scene_of({.normal = "k0 | kelvin(k1, c2)",
-                                             .poisson = 0.21916462755777888,
-                                             .separation = true,
-                                             .indenter = "shape = \"cone\"\nangle = \"0.7 deg\"\n",
-                                             .angular_frequency = 15.6,
-                                             .amplitude = 5.7e-7,
-                                             .indentation = 7.3e-7,
-                                             .coefficient = 0.12,
-                                             .elements = {{"k0", 4.4e15}, {"k1", 3e10}, {"c2", 4.3}}}));
+  const HalfSpace half_space(
+      test::scene_of({.normal = "k0 | kelvin(k1, c2)",
+                      .poisson = 0.21916462755777888,
+                      .separation = true,
+                      .indenter = "shape = \"cone\"\nangle = \"0.7 deg\"\n",
+                      .angular_frequency = 15.6,
+                      .amplitude = 5.7e-7,
+                      .indentation = 7.3e-7,
+                      .coefficient = 0.12,
+                      .elements = {{"k0", 4.4e15}, {"k1", 3e10}, {"c2", 4.3}}}));
   // mu0 omega du_z K_n/K_t
   const double border =
       0.12 * 15.6 * 5.7e-7 * (2 - 0.21916462755777888) / (2 * (1 - 0.21916462755777888));

@@ -19,40 +19,45 @@ static void print(const double* y, std::size_t n) {
 }
 
 #if WITH_GRADIENTS
-#define GRADIENT(CALL)                          \
-  {                                             \
-    const auto g = CALL;                        \
-    print(&g.value, 1);                         \
-    std::memcpy(x, &g.partial, sizeof p);       \
-    print(x, sizeof p / sizeof(double));        \
+#define GRADIENT(CALL)                    \
+  {                                       \
+    const auto g = CALL;                  \
+    print(&g.value, 1);                   \
+    std::memcpy(x, &g.partial, sizeof p); \
+    print(x, sizeof p / sizeof(double));  \
   }
 #else
 #define GRADIENT(CALL)
 #endif
-#define CALL(NAME, FREQUENCY)                                                                   \
-  {                                                                                             \
-    NAME::Parameters p;                                                                         \
-    numbers(sizeof p / sizeof(double));                                                         \
-    std::memcpy(&p, x, sizeof p);                                                               \
-    const NAME::Certified a = NAME::critical_velocity_certified(p);                             \
-    const NAME::Certified f = NAME::fast::critical_velocity_certified(p);                       \
-    double batch[2];                                                                            \
-    NAME::critical_velocity(p, {&p.FREQUENCY, 1}, {batch, 1});                                  \
-    NAME::fast::critical_velocity(p, {&p.FREQUENCY, 1}, {batch + 1, 1});                        \
-    const double all[] = {a.value, a.relative_error_bound, f.value, f.relative_error_bound,     \
-                          NAME::critical_velocity(p), NAME::fast::critical_velocity(p),         \
-                          batch[0], batch[1]};                                                  \
-    print(all, sizeof all / sizeof all[0]);                                                     \
-    GRADIENT(NAME::critical_velocity_gradient(p))                                               \
-    GRADIENT(NAME::fast::critical_velocity_gradient(p))                                         \
+#define CALL(NAME, FREQUENCY)                                             \
+  {                                                                       \
+    NAME::Parameters p;                                                   \
+    numbers(sizeof p / sizeof(double));                                   \
+    std::memcpy(&p, x, sizeof p);                                         \
+    const NAME::Certified a = NAME::critical_velocity_certified(p);       \
+    const NAME::Certified f = NAME::fast::critical_velocity_certified(p); \
+    double batch[2];                                                      \
+    NAME::critical_velocity(p, {&p.FREQUENCY, 1}, {batch, 1});            \
+    NAME::fast::critical_velocity(p, {&p.FREQUENCY, 1}, {batch + 1, 1});  \
+    const double all[] = {a.value,                                        \
+                          a.relative_error_bound,                         \
+                          f.value,                                        \
+                          f.relative_error_bound,                         \
+                          NAME::critical_velocity(p),                     \
+                          NAME::fast::critical_velocity(p),               \
+                          batch[0],                                       \
+                          batch[1]};                                      \
+    print(all, sizeof all / sizeof all[0]);                               \
+    GRADIENT(NAME::critical_velocity_gradient(p))                         \
+    GRADIENT(NAME::fast::critical_velocity_gradient(p))                   \
   }
 
 int main() {
   unsigned library = 0;
   while (std::scanf("%u", &library) == 1) {
-//: each
+    //: each
     if (library == NUMBER) CALL(LIBRARY, OMEGA)
-//: end
+    //: end
     std::printf("\n");
   }
 }

@@ -27,8 +27,7 @@ struct Chain {
     const Complex s(0, omega);
     const auto pad = [&](std::size_t i) { return k[i] + c[i] * s; };
     const auto series = [](const Complex& a, const Complex& b) { return a * b / (a + b); };
-    if (drive.starts_with("kd1 | cd1 |"))
-      return 1.0 / (pad(0) + series(pad(1), m[0] * s * s));
+    if (drive.starts_with("kd1 | cd1 |")) return 1.0 / (pad(0) + series(pad(1), m[0] * s * s));
     const Complex end = m[1] > 0 ? series(pad(1), m[1] * s * s + pad(2)) : pad(1);
     return 1.0 / pad(0) + 1.0 / (m[0] * s * s + end);
   }

@@ -31,7 +31,8 @@ BOOST_AUTO_TEST_CASE(poles_of_exact_rows_are_found) {
   // The iteration converges quadratically, so what is left are roundings times the condition of
   // partial fractions, here below 1e4.
   BOOST_TEST(std::sqrt(fit.sum) < 1e-11);
-  for (const Complex& known : {Complex(-0.05, std::sqrt(1 - 0.0025)), Complex(-0.025, std::sqrt(9 - 0.000625))}) {
+  for (const Complex& known :
+       {Complex(-0.05, std::sqrt(1 - 0.0025)), Complex(-0.025, std::sqrt(9 - 0.000625))}) {
     double nearest = 1;
     for (const Complex& pole : fit.poles)
       nearest = std::min(nearest, std::abs(pole * rows.frequency_unit - known));

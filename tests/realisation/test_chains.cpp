@@ -32,8 +32,8 @@ void check_chain(const Chain& chain, double last, double noise) {
     const Realisation found(table_of(chain, last, noise));
     for (const int n : {1, 2, 3}) {
       const double off = std::abs(found.response(n) - chain.receptance(n));
-      BOOST_TEST(off <= found.error(n), n << " omega: off by " << off << ", stated "
-                                          << found.error(n));
+      BOOST_TEST(off <= found.error(n),
+                 n << " omega: off by " << off << ", stated " << found.error(n));
     }
   }
 }

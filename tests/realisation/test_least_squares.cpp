@@ -26,7 +26,8 @@ BOOST_AUTO_TEST_CASE(the_valley_of_rosenbrock_is_followed_to_its_end) {
                             },
                             anywhere};
   const Minimum found = minimise(valley, Eigen::Vector2d(-1.2, 1), 200);
-  // Steps that gain less than 1e-5 of the sum end it, and the sum is 0 there: quadratic to rounding.
+  // Steps that gain less than 1e-5 of the sum end it, and the sum is 0 there: quadratic to
+  // rounding.
   BOOST_TEST(std::abs(found.parameters[0] - 1) < 1e-10);
   BOOST_TEST(found.sum < 1e-20);
 }
@@ -46,7 +47,8 @@ BOOST_AUTO_TEST_CASE(columns_that_depend_on_one_another_do_no_harm) {
 // One that enters by its square has no slope at 0, and by its own scale a step without bound.
 BOOST_AUTO_TEST_CASE(a_parameter_without_a_slope_does_not_hold_up_the_other) {
   const LeastSquares square{[](const VectorXd& x, VectorXd& residual, MatrixXd* slope) {
-                              residual = Eigen::Vector2d(std::exp(x[0]) - 5, 1e3 * x[1] * x[1] - 0.01);
+                              residual =
+                                  Eigen::Vector2d(std::exp(x[0]) - 5, 1e3 * x[1] * x[1] - 0.01);
                               if (slope) {
                                 slope->resize(2, 2);
                                 *slope << std::exp(x[0]), 0, 0, 2e3 * x[1];

@@ -72,7 +72,8 @@ BOOST_AUTO_TEST_CASE(whatever_the_parameters_it_stores_and_loses_energy_only) {
   for (unsigned seed = 0; seed < 50; ++seed)
     for (const StructureShape& shape : shapes) {
       const Structure structure = structure_of(shape, 3 * drawn_parameters(shape, seed));
-      const VectorXd stiffness = vcrit::linear::symmetric_eigen(structure.stiffness_matrix()).values,
+      const VectorXd stiffness =
+                         vcrit::linear::symmetric_eigen(structure.stiffness_matrix()).values,
                      damping = vcrit::linear::symmetric_eigen(structure.damping_matrix()).values;
       // Eigenvalues are right to a few roundings of the greatest.
       BOOST_TEST(stiffness.minCoeff() > -1e-13 * stiffness.maxCoeff());
@@ -93,8 +94,9 @@ BOOST_AUTO_TEST_CASE(no_parameter_leaves_what_rows_can_tell) {
     const Structure structure = structure_of(shape, parameters);
     // Each entry of L L^T is a sum of at most three products of two entries of L.
     if (shape.modes > 0)
-      BOOST_TEST(structure.damping_matrix().bottomRightCorner(shape.modes, shape.modes).maxCoeff() <=
-                 3.001e5 * rows.last());
+      BOOST_TEST(
+          structure.damping_matrix().bottomRightCorner(shape.modes, shape.modes).maxCoeff() <=
+          3.001e5 * rows.last());
     BOOST_TEST(structure.tau <= 1e5 / rows.first());
     for (const double w : structure.frequency) BOOST_TEST((w > 1e-4 && w < 1e4));
   }
@@ -110,7 +112,8 @@ BOOST_AUTO_TEST_CASE(a_spring_in_series_with_two_masses) {
   structure.lean = VectorXd::Zero(1);
   const std::complex<double> s(0, 1.3);
   const auto expected = 1.0 / (4.0 + 0.2 * s) + 1.0 / (2.0 * s * s + 0.3 * s + 5.0);
-  BOOST_TEST(std::abs(structure.response(1.3) - expected) < 1e-15 * 4);  // few operations on numbers about 1
+  BOOST_TEST(std::abs(structure.response(1.3) - expected) <
+             1e-15 * 4);  // few operations on numbers about 1
   BOOST_TEST(std::abs(structure.static_compliance() - 0.45) < 1e-15);
 }
 

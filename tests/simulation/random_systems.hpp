@@ -43,7 +43,8 @@ class RandomSystems {
     s.omega = 1;
     s.friction = uniform(0.1, 1);
     s.mean_normal_force = logarithmic(0.1, 10);
-    const double phase = uniform(-3.1, 3.1);  // drawn on its own: compilers order arguments as they like
+    const double phase =
+        uniform(-3.1, 3.1);  // drawn on its own: compilers order arguments as they like
     s.normal_force_amplitude = std::polar(s.mean_normal_force * uniform(0.05, 0.99), phase);
     return s;
   }

@@ -126,7 +126,8 @@ BOOST_AUTO_TEST_CASE(what_all_maps_show_is_said_once) {
   Accuracy all = example();
   all.maps[0].layers.push_back(all.maps[0].layers[0]);
   all.maps[0].layers[1].key = "fast";
-  const std::string html = section_of(all), once = "Each cell is one frequency and one factor on k;";
+  const std::string html = section_of(all),
+                    once = "Each cell is one frequency and one factor on k;";
   BOOST_TEST(has(html, "id=\"map_stiffness_fast\""));
   BOOST_TEST((html.find(once) != html.npos && html.find(once) == html.rfind(once)));
   all.maps[0].layers = {{"formula", "Eq. 24 in doubles", {0, 0, 0, 0}, {}}};

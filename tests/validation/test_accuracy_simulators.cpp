@@ -104,7 +104,8 @@ BOOST_AUTO_TEST_CASE(the_front_leaves_failed_solves_aside) {
   BOOST_TEST(!solves[2].on_front);
 }
 
-// All methods move the same structure: between rk8pd at 1e-12 and the exact method lie 2e-9 at most.
+// All methods move the same structure: between rk8pd at 1e-12 and the exact method lie 2e-9 at
+// most.
 BOOST_AUTO_TEST_CASE(a_measured_drive_is_simulated_as_its_structure) {
   const auto speeds = simulator_errors(scene_named("measured_drive.toml"), {0.5});
   BOOST_REQUIRE(speeds.size() == 1U);

@@ -9,9 +9,8 @@
 namespace vcrit::validation::accuracy {
 
 struct SimulatedCell {
-  double threshold =
-      0;              ///< critical speed of the contact point, m/s; NaN: none found
-  std::string wrong;  ///< "misses the stick below v*", ...; empty where both answers are right
+  double threshold = 0;  ///< critical speed of the contact point, m/s; NaN: none found
+  std::string wrong;     ///< "misses the stick below v*", ...; empty where both answers are right
 };
 
 /// `right`: v* in m/s; where it is no speed nothing is asked.

@@ -86,7 +86,10 @@ std::vector<FrictionCurve> curves_of(const Problem& problem, double border) {
     curves.push_back(separation_curve(
         share == own ? problem : at_amplitude(problem, share * border * indentation)));
     curves.back().own = share == own;
-    const char* remark = share == own ? ", this scene" : share < 1 ? ", closed" : share == 1 ? ", opens" : "";
+    const char* remark = share == own ? ", this scene"
+                         : share < 1  ? ", closed"
+                         : share == 1 ? ", opens"
+                                      : "";
     curves.back().name = rounded(share * border * indentation, "m", 3) + remark;
   }
   return curves;
@@ -156,8 +159,7 @@ std::optional<Comparison> separation_small_amplitude(const Problem& problem, dou
 // So slow an oscillation that every network is as at rest.
 std::optional<Comparison> separation_quasi_static(const System& system) {
   const auto& form = system.opening->network;
-  if (!(system.contact.equilibrium > 0) || system.drive || system.masses)
-    return std::nullopt;
+  if (!(system.contact.equilibrium > 0) || system.drive || system.masses) return std::nullopt;
   System slow = system, elastic = system;
   const double slowest = std::max(slowest_relaxation(form), slowest_relaxation(system.contact));
   if (slowest == 0) return std::nullopt;

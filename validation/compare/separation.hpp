@@ -20,8 +20,8 @@ void examine_separation(SceneReport& report, const symbolic::Derivation& derivat
 /// under a rigid drive.
 double unit_of_speed(const Problem& problem);
 
-/// Amplitude over indentation beyond which the contact opens, K_n(0)/|K_n(i omega)|; the amplitude is
-/// the vibrator's above a mount.
+/// Amplitude over indentation beyond which the contact opens, K_n(0)/|K_n(i omega)|; the amplitude
+/// is the vibrator's above a mount.
 double opening_border(const Problem& problem);
 
 /// The longest time (s) in which a solid forgets what was done to it, by order of magnitude; 0 of

@@ -52,12 +52,11 @@ Witness witness_of(const FrictionValue& row) {
 
 Comparison threshold(double delta) {
   const simulation::System system = kelvin_contact(delta, reference_amplitude);
-  return comparison(
-      {"threshold", fmt::format("critical speed by simulation, δ = {}", delta),
-       "(31): μ₀ ω du_z k_n/k_t", "closed forms in doubles: room for 4000 roundings",
-       Comparison::Measure::relative},
-      {kelvin_critical_velocity(delta, reference_amplitude),
-       simulation::sliding_threshold(system).contact_velocity, 1e-12, ""});
+  return comparison({"threshold", fmt::format("critical speed by simulation, δ = {}", delta),
+                     "(31): μ₀ ω du_z k_n/k_t", "closed forms in doubles: room for 4000 roundings",
+                     Comparison::Measure::relative},
+                    {kelvin_critical_velocity(delta, reference_amplitude),
+                     simulation::sliding_threshold(system).contact_velocity, 1e-12, ""});
 }
 
 Comparison last_stick(double delta) {

@@ -6,9 +6,9 @@
 
 namespace vcrit::validation::report {
 
-/// Upright, with the numbers of its elements where there are few. What would be too wide for a phone
-/// has its drive above the body, and its numbers below the drawing. What the scene lacks is left out.
-/// Every value must be given.
+/// Upright, with the numbers of its elements where there are few. What would be too wide for a
+/// phone has its drive above the body, and its numbers below the drawing. What the scene lacks is
+/// left out. Every value must be given.
 Picture draw_system(const Problem& problem);
 
 }  // namespace vcrit::validation::report

@@ -6,7 +6,8 @@
 //   u      velocity of the body; the state has it and the drive only where there is a mass
 //   f_j' = k_j e' - a_j f_j, a spring has a_j = 0; network force c e' + sum f_j
 //   m u' = F_drive - F, and F on the contact point obeys Coulomb's law with its velocity w
-// Of a drive that holds masses the state has those of driven_masses.hpp in place of u and the drive.
+// Of a drive that holds masses the state has those of driven_masses.hpp in place of u and the
+// drive.
 #pragma once
 
 #include <cmath>

@@ -81,8 +81,8 @@ void Flow::carry(Changes& changes) const {
   }
 }
 
-// The same sums in the same order, as products of whole matrices: of the modes of several masses they
-// take half as long.
+// The same sums in the same order, as products of whole matrices: of the modes of several masses
+// they take half as long.
 void Flow::carry_together(Changes& changes) const {
   const Matrix& to_modes = phase().modes.to_modes;
   const Index columns = changes.state.columns(), own = phase().own.rows();

@@ -1,8 +1,8 @@
 // Derives v* of the scene file and puts its numbers in.
 #include <cstdio>
 #include <map>
-#include <vcrit/symbolic.hpp>
 #include <vcrit/scene/scene.hpp>
+#include <vcrit/symbolic.hpp>
 #include <vcrit/vcrit.hpp>
 
 int main(int, char** argv) {

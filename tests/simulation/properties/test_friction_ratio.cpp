@@ -66,7 +66,8 @@ RC_BOOST_PROP(lies_between_the_static_bound_and_one, ()) {
 }
 
 // The difference of two steady motions takes from the drive, per period, (v1 - v2)(<F1> - <F2>) =
-// <(F1 - F2)(w1 - w2)> + what dampers take of it: Coulomb's law is monotone, so neither is negative.
+// <(F1 - F2)(w1 - w2)> + what dampers take of it: Coulomb's law is monotone, so neither is
+// negative.
 RC_BOOST_PROP(never_falls_with_the_speed, ()) {
   const auto draw = *any_draw();
   const auto ratio = *ratio_below_one();
