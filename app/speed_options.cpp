@@ -11,6 +11,7 @@
 #include "base/speeds.hpp"
 #include "base/units.hpp"
 #include "options.hpp"
+#include "rules/rulebook.hpp"
 
 namespace vcrit::app {
 
@@ -36,6 +37,7 @@ std::string SpeedOptions::given() const {
 }
 
 Speed SpeedOptions::of(const Problem& problem) const {
+  rules::require(rules::motion_question(problem), problem);
   const CriticalOnset onset = critical_onset(problem);
   const double critical = onset.contact_velocity;
   const bool by_ratio = velocity_.empty();

@@ -43,6 +43,10 @@ void refuse_speed(double velocity, std::optional<double> ratio, const std::strin
   check_speed(velocity, argument(name));
 }
 
+void require_motion(const Problem& problem) {
+  rules::require(rules::motion_question(problem), problem);
+}
+
 double parse_velocity(const std::string& text, const std::string& name) {
   return parse_quantity(text, Dimension::velocity, argument(name));
 }
@@ -143,6 +147,7 @@ py::tuple friction_curve(const Problem& problem, const Array& velocities, Array 
 
 void add_friction(py::module_& module) {
   using py::arg;
+  module.def("require_motion", &require_motion, arg("scene"));
   module.def("parse_velocity", &parse_velocity, arg("text"), arg("argument"));
   module.def("parse_ratio", &parse_ratio, arg("text"), arg("argument"));
   module.def("first_refused_speed", &first_refused_speed, arg("velocities").noconvert());

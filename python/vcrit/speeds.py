@@ -51,6 +51,9 @@ class Speeds(NamedTuple):
         if self.are_ratios:
             if np.isinf(critical):
                 raise _vcrit.ModelError(f"{reason}: velocity_ratio has no meaning, give velocity")
+            if critical == 0:
+                _vcrit.require_motion(scene)
+                raise _vcrit.ModelError("v* is 0 here: velocity_ratio has no meaning, give velocity")
             speeds *= critical
         self._refuse_wrong(speeds, np.asarray(given))
         with np.errstate(divide="ignore"):  # v* = 0 at antiresonance

@@ -107,6 +107,7 @@ class Plot(Case):
         for speed in ("1e308", "5e-324"):  # no room for the other speeds
             self.refused(2, ["plot", ZENER, "--to", speed], "--to: found a speed of")
         self.refused(3, ["plot", example("inadmissible"), "--out", "picture.svg"], "the contact opens")
+        self.refused(3, ["plot", ZENER, "--cycle", "--set", "mu0=0"], "with mu0 = 0 there is no friction to compare with")
         self.refused(3, ["plot", SPHERE, "--of", "cycle", "--out", "picture.svg"], "an indenter has no single contact motion")
         self.refused(2, ["plot", ZENER, "--out", "picture.pdf"], "gnuplot", env={"PATH": "/nonexistent"})
         self.assertEqual(list(self.folder.iterdir()), [])

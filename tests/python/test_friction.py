@@ -105,6 +105,17 @@ class Friction(unittest.TestCase):
                 self.assertEqual(energy, printed.get("energy"))
                 self.assertEqual(found.energy is not None, method == "exact")
 
+    def test_at_a_ratio_to_a_velocity_of_0_names_the_cause(self):
+        # Both were told as a speed of 0 that was given. Antiresonance: 1 + 3 = 1 x 2^2, without rounding.
+        still = vcrit.Scene.from_text(scene({"kn": 1, "k0": 1, "kd": 3}, tangential="k0", angular_frequency=2, amplitude=0.5,
+                                            coefficient=0.3, network="kd", mass=1))
+        for given, words in [(still, r"v\* is 0 here: velocity_ratio has no meaning"),
+                             (vcrit.Scene(KELVIN).with_values(mu0=0), "no friction to compare with")]:
+            with self.assertRaisesRegex(vcrit.ModelError, words):
+                given.simulate(velocity_ratio=0.5)
+            with self.assertRaisesRegex(vcrit.ModelError, words):
+                given.friction_curve(velocity_ratios=[0.5, 0.7])
+
     def test_finds_the_energy_when_it_is_asked_for(self):
         scene = vcrit.Scene(KELVIN)
         state = scene.simulate("2 mm/s")
