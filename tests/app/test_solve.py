@@ -2,7 +2,7 @@
 
 import unittest
 
-from program import Case, example, settings
+from program import Case, example, scene, settings
 
 KELVIN, ELASTIC = example("kelvin"), example("elastic")
 
@@ -76,22 +76,10 @@ class Solve(Case):
 
     # Under 100 N the path creeps at 10 mm/s without a slip, under 10 N it slides.
     def test_a_path_that_creeps_has_no_largest_load(self):
-        scene = self.write("""[contact]
-normal = "kn"
-tangential = "kt - ct"
-[load]
-force = "10 N"
-[oscillation]
-frequency = "20 kHz"
-amplitude = "0.1 um"
-[friction]
-coefficient = 0.3
-[elements]
-kn = "10 N/um"
-kt = "8 N/um"
-ct = "1 kN.s/m"
-""")
-        command = ["solve", scene, "--for", "force", "--friction-ratio", "0.9", "--velocity", "10 mm/s",
+        text = scene({"kn": 10e6, "kt": 8e6, "ct": 1000}, tangential="kt - ct", frequency="20 kHz", amplitude="0.1 um",
+                     indentation=None)
+        file = self.write(text + '[load]\nforce = "10 N"\n')
+        command = ["solve", file, "--for", "force", "--friction-ratio", "0.9", "--velocity", "10 mm/s",
                    "--samples", "3"]
         self.refused(3, command, "the path creeps", "give one with --to")
         self.assertTrue(self.out(*command, "--to", "100 N").startswith(

@@ -41,8 +41,8 @@ void check_settles(const Model& model);
 /// cycle: friction has an error that tells of it, whether a cycle sticks has none.
 void check_cycles_settle(const Model& model);
 
-/// Throws ModelError where the normal force jumps as the contact closes, by so weak a damper that
-/// rounding hides the jump: the damper of the contact's path makes a velocity of it.
+/// Throws ModelError where the normal force jumps as the contact closes, by a damper of the size of
+/// a rounding error: the same damper of the contact's path makes a velocity of the jump.
 void check_closings(const Model& model);
 
 /// What it says, also for v*.
