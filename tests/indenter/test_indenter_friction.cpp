@@ -365,7 +365,6 @@ BOOST_AUTO_TEST_CASE(dips_into_a_strongly_damped_surface) {
   }
 }
 
-// Nothing oscillates, so nothing ever sticks.
 // As good as elastic: cells at the rim, which hardly touch, find sticks of some roundings at speeds
 // at which all of them slide.
 BOOST_AUTO_TEST_CASE(sticks_of_rounding_are_none) {
@@ -387,6 +386,7 @@ BOOST_AUTO_TEST_CASE(sticks_of_rounding_are_none) {
   BOOST_TEST((friction(half_space, 0.99 * border).regime == Regime::stick_slip_separated));
 }
 
+// Nothing oscillates, so nothing ever sticks.
 BOOST_AUTO_TEST_CASE(without_oscillation) {
   const Friction found = friction(elastic(0), 1e-3);
   BOOST_TEST((found.regime == Regime::sliding));
